@@ -1,0 +1,4 @@
+//! The scanray core on a desktop: pictures, panels, the reference they are judged by.
+
+pub mod panel;
+pub mod picture;

@@ -1,0 +1,179 @@
+use super::{Camera, Projection, Row};
+use crate::math::{Scalar, Vec3, Wide, WideVec3, tan_half};
+use core::fmt;
+
+/// Tells what is wrong with a [`Camera`] or the picture it is to take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CameraError {
+    /// A value is not a number or too large for the number type.
+    OutOfRange,
+    /// Eye and center are the same point, or up points along the line of sight.
+    NoDirection,
+    /// The angle is not between 0 and 180 degrees, or a side of the window is 0.
+    NoWindow,
+    /// Near is negative, 0 for a frustum, or not before far.
+    NoDepth,
+    /// The picture has no pixels, or more than 32767 along a side.
+    BadSize,
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::OutOfRange => "camera: a value is not a number or too large for the number type",
+            Self::NoDirection => "camera: eye and center coincide, or up points along the line of sight",
+            Self::NoWindow => {
+                "camera: the window has no extent, or the angle is not between 0 and 180 degrees"
+            }
+            Self::NoDepth => "camera: near must be at least 0 (above 0 for a frustum) and before far",
+            Self::BadSize => "camera: a picture must have 1 to 32767 pixels along each side",
+        })
+    }
+}
+
+impl core::error::Error for CameraError {}
+
+/// Is a camera made ready for a picture of a certain size: its axes and its window in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<S: Scalar> {
+    /// Where the picture is taken from.
+    pub eye: Vec3<S>,
+    /// Line of sight, unit length.
+    pub forward: Vec3<S>,
+    pub(super) near: S,
+    pub(super) far: S,
+    pub(super) parallel: bool,
+    size: [i32; 2],
+    /// The upper left corner of the window from the eye, and its sides to the right and downward.
+    corner: WideVec3<S>,
+    right: WideVec3<S>,
+    down: WideVec3<S>,
+}
+
+/// Is a window at depth 1 (perspective) or at the eye (parallel): left, right, bottom, top.
+type Window<S> = [S; 4];
+
+fn times<S: Scalar>(value: S, numerator: i32, denominator: i32) -> S {
+    S::narrow(value.mul_wide(S::ONE).scale(numerator, denominator))
+}
+
+fn window<S: Scalar>(camera: &Camera<S>, [columns, rows]: [i32; 2]) -> Result<Window<S>, CameraError> {
+    let centered = |height: S| {
+        let (half_width, half_height) = (times(height, columns, 2 * rows), times(height, 1, 2));
+        [-half_width, half_width, -half_height, half_height]
+    };
+    match camera.projection {
+        Projection::Perspective { fovy } => {
+            if !(fovy > S::ZERO && fovy < S::from_i32(180)) {
+                return Err(CameraError::NoWindow);
+            }
+            let half = tan_half(fovy);
+            Ok(centered(half + half))
+        }
+        Projection::Frustum { left, right, bottom, top } => {
+            if !(camera.near > S::ZERO) {
+                return Err(CameraError::NoDepth);
+            }
+            let at_depth_one = |edge: S| S::div(edge.mul_wide(S::ONE), camera.near.mul_wide(S::ONE));
+            Ok([left, right, bottom, top].map(at_depth_one))
+        }
+        Projection::Orthographic { height } => Ok(centered(height)),
+    }
+}
+
+fn check_values<S: Scalar>(camera: &Camera<S>) -> Result<(), CameraError> {
+    let extent = match camera.projection {
+        Projection::Perspective { fovy } => [fovy, fovy, fovy, fovy],
+        Projection::Frustum { left, right, bottom, top } => [left, right, bottom, top],
+        Projection::Orthographic { height } => [height, height, height, height],
+    };
+    let points = [camera.eye, camera.center, camera.up];
+    if !(points.iter().all(|p| p.in_range()) && extent.iter().all(|e| e.in_range())) {
+        Err(CameraError::OutOfRange)
+    } else if camera.near >= S::ZERO && camera.near < camera.far {
+        Ok(())
+    } else {
+        Err(CameraError::NoDepth)
+    }
+}
+
+impl<S: Scalar> Camera<S> {
+    /// Makes the camera ready for a picture of so many columns and rows.
+    ///
+    /// `ze = unit(eye - center)`, `xe = unit(up x ze)`, `ye = ze x xe` (row C1).
+    ///
+    /// # Errors
+    /// What is wrong with the camera or the size.
+    pub fn frame(&self, columns: u32, rows: u32) -> Result<Frame<S>, CameraError> {
+        check_values(self)?;
+        let side = |n: u32| i16::try_from(n).ok().filter(|n| *n > 0).map(i32::from);
+        let (Some(columns), Some(rows)) = (side(columns), side(rows)) else {
+            return Err(CameraError::BadSize);
+        };
+        let [left, right, bottom, top] = window(self, [columns, rows])?;
+        if left == right || bottom == top {
+            return Err(CameraError::NoWindow);
+        }
+        let unit = |v: Vec3<S>| v.normalize().map(|(unit, _)| unit).ok_or(CameraError::NoDirection);
+        let ze = unit(self.eye - self.center)?;
+        // Unit up first, so that a long one cannot saturate the product.
+        let xe = unit(unit(self.up)?.cross(ze))?;
+        let ye = ze.cross(xe);
+        let parallel = matches!(self.projection, Projection::Orthographic { .. });
+        let depth = if parallel { WideVec3::ZERO } else { ze.mul_wide(-S::ONE) };
+        Ok(Frame {
+            eye: self.eye,
+            forward: -ze,
+            near: self.near,
+            far: self.far,
+            parallel,
+            size: [columns, rows],
+            corner: depth + xe.mul_wide(left) + ye.mul_wide(top),
+            right: xe.mul_wide(right - left),
+            down: ye.mul_wide(bottom - top),
+        })
+    }
+}
+
+impl<S: Scalar> Frame<S> {
+    /// Answers the rays of row `y`, counted from the top, beginning with column `x`.
+    pub fn row(&self, y: u32, x: u32) -> Row<'_, S> {
+        let [_, rows] = self.size;
+        let start = self.corner + self.down.scale(2 * y as i32 + 1, 2 * rows);
+        Row::new(self, start, x as i32)
+    }
+
+    pub(super) fn step(&self) -> WideVec3<S> {
+        self.right.scale(1, self.size[0])
+    }
+
+    /// Answers what the middle of column `x` adds to the start of a row.
+    pub(super) fn column(&self, x: i32) -> WideVec3<S> {
+        self.right.scale(2 * x + 1, 2 * self.size[0])
+    }
+
+    /// Answers a unit vector across the plane in which all rays of a row lie; `None` if the row's
+    /// rays span no plane.
+    pub fn row_normal(&self, y: u32) -> Option<Vec3<S>> {
+        let [columns, rows] = self.size;
+        let along = self.right.narrow().normalize()?.0;
+        let toward = if self.parallel {
+            self.forward
+        } else {
+            let start = self.corner + self.down.scale(2 * y as i32 + 1, 2 * rows);
+            (start + self.right.scale(columns, 2 * columns)).narrow().normalize()?.0
+        };
+        Some(toward.cross(along).normalize()?.0)
+    }
+
+    /// Answers a point of the plane in which all rays of a row lie.
+    pub fn row_point(&self, y: u32) -> Vec3<S> {
+        if self.parallel {
+            let [_, rows] = self.size;
+            self.eye + (self.corner + self.down.scale(2 * y as i32 + 1, 2 * rows)).narrow()
+        } else {
+            self.eye
+        }
+    }
+}

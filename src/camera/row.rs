@@ -1,0 +1,73 @@
+use super::Frame;
+use crate::math::{Scalar, WideVec3};
+use crate::ray::{Interval, Ray};
+
+/// Is how many columns are reached by adding, before a multiplication wipes out the rounding.
+///
+/// 32 additions in `f32` drift by at most 32 half-steps, 2e-6 of the window: 1/1600 of a pixel at
+/// 320 columns. Fixed point adds 40-bit fractions and drifts less than its own step.
+const ANCHOR: i32 = 32;
+
+/// Is the iterator over the rays of one row, from left to right, by forward differences.
+#[derive(Clone, Debug)]
+pub struct Row<'f, S: Scalar> {
+    frame: &'f Frame<S>,
+    start: WideVec3<S>,
+    step: WideVec3<S>,
+    at: WideVec3<S>,
+    x: i32,
+}
+
+/// Is a primary ray with the distances between which the camera sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowRay<S = f32> {
+    /// The ray, with a unit direction.
+    pub ray: Ray<S>,
+    /// From the near to the far plane along it.
+    pub interval: Interval<S>,
+}
+
+impl<'f, S: Scalar> Row<'f, S> {
+    pub(super) fn new(frame: &'f Frame<S>, start: WideVec3<S>, x: i32) -> Self {
+        // Columns are stepped to from their anchor, so that a row begun in its middle has the
+        // same bits as the whole row.
+        let anchor = x - x % ANCHOR;
+        let at = start + frame.column(anchor);
+        let mut row = Self { frame, start, step: frame.step(), at, x: anchor };
+        while row.x < x {
+            row.advance();
+        }
+        row
+    }
+
+    fn advance(&mut self) {
+        self.x = self.x.saturating_add(1);
+        self.at =
+            if self.x % ANCHOR == 0 { self.start + self.frame.column(self.x) } else { self.at + self.step };
+    }
+
+    fn ray(&self) -> RowRay<S> {
+        let frame = self.frame;
+        let (near, far) = (frame.near, frame.far);
+        let offset = self.at.narrow();
+        if frame.parallel {
+            let ray = Ray::new(frame.eye + offset, frame.forward);
+            return RowRay { ray, interval: Interval::new(near, far) };
+        }
+        // The window stands at depth 1: the length of the offset turns depths into distances.
+        let (direction, length) = offset.normalize().unwrap_or((frame.forward, S::ONE));
+        let interval = Interval::new(near * length, far * length);
+        RowRay { ray: Ray::new(frame.eye, direction), interval }
+    }
+}
+
+impl<S: Scalar> Iterator for Row<'_, S> {
+    type Item = RowRay<S>;
+
+    /// Never ends: a row may be followed past the edge of the picture.
+    fn next(&mut self) -> Option<RowRay<S>> {
+        let ray = self.ray();
+        self.advance();
+        Some(ray)
+    }
+}

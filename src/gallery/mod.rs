@@ -1,0 +1,137 @@
+//! Scenes ready to draw: `static`, in every number, the same in flash and on a host.
+//!
+//! ```
+//! use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+//! use scanray::{Renderer, Workspace, gallery};
+//!
+//! let view = &gallery::float::SIMPLE;
+//! let mut workspace = Workspace::<f32, Rgb565, 240, 5>::new();
+//! let mut renderer = Renderer::new(
+//!     &view.scene, &view.camera, Size::new(240, 240), view.settings, &mut workspace)?;
+//! let mut row = [Rgb565::BLACK; 240];
+//! renderer.render_row(120, &mut row)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use crate::camera::Camera;
+use crate::math::Scalar;
+use crate::render::Settings;
+use crate::scene::Scene;
+
+/// Defines the same items once for each number, in the modules `float`, `fixed` and `double`.
+///
+/// Inside, `S` is the number, `n` makes one of a literal, `v` a vector, `rgb` a colour and `gray`
+/// a grey.
+macro_rules! in_every_number {
+    ($($items:tt)*) => {
+        /// The scene in `f32`.
+        pub mod float {
+            type S = f32;
+            const fn n(value: f64) -> S { value as f32 }
+            $crate::gallery::with_helpers! { $($items)* }
+        }
+        /// The scene in fixed point.
+        pub mod fixed {
+            type S = $crate::math::Fixed;
+            const fn n(value: f64) -> S { S::new(value) }
+            $crate::gallery::with_helpers! { $($items)* }
+        }
+        /// The scene in `f64`.
+        pub mod double {
+            type S = f64;
+            const fn n(value: f64) -> S { value }
+            $crate::gallery::with_helpers! { $($items)* }
+        }
+    };
+}
+
+macro_rules! with_helpers {
+    ($($items:tt)*) => {
+        #[allow(unused_imports, reason = "no scene uses everything")]
+        use $crate::{camera::*, environment::*, gallery::View, light::*, material::*, math::Vec3,
+            output::*, render::Settings, scene::*, shape::*, texture::*, color::Rgb};
+        #[allow(dead_code, reason = "no scene uses everything")]
+        const fn v(x: f64, y: f64, z: f64) -> Vec3<S> { Vec3::new(n(x), n(y), n(z)) }
+        #[allow(dead_code, reason = "no scene uses everything")]
+        const fn rgb(r: f64, g: f64, b: f64) -> Rgb<S> { Rgb::new(n(r), n(g), n(b)) }
+        #[allow(dead_code, reason = "no scene uses everything")]
+        const fn gray(level: f64) -> Rgb<S> { rgb(level, level, level) }
+        $($items)*
+    };
+}
+
+use {in_every_number, with_helpers};
+
+mod business_card;
+mod c_ray;
+mod first_light;
+mod mirror_levels;
+mod orthographic;
+mod simple;
+mod three_spheres;
+mod tinyraytracer;
+
+/// Is a scene with the camera and settings that show it best.
+#[derive(Clone, Copy, Debug)]
+pub struct View<S: Scalar + 'static> {
+    /// Name, as commands take it.
+    pub name: &'static str,
+    /// What it shows and where it comes from, in a sentence or two.
+    pub about: &'static str,
+    /// What there is to see.
+    pub scene: Scene<'static, S>,
+    /// Where it is seen from.
+    pub camera: Camera<S>,
+    /// How the picture is made.
+    pub settings: Settings<S>,
+    /// Columns and rows of the usual picture.
+    pub size: [u32; 2],
+}
+
+/// Is a number in which the gallery can be had.
+pub trait Gallery: Scalar {
+    /// Answers all views, in the order in which they are best looked at.
+    fn views() -> &'static [View<Self>];
+
+    /// Finds a view by its name.
+    fn find(name: &str) -> Option<&'static View<Self>> {
+        Self::views().iter().find(|view| view.name == name)
+    }
+}
+
+macro_rules! gallery_of {
+    ($module:ident, $number:ty, $about:literal) => {
+        #[doc = $about]
+        pub mod $module {
+            pub use super::business_card::$module::VIEW as BUSINESS_CARD;
+            pub use super::c_ray::$module::VIEW as C_RAY;
+            pub use super::first_light::$module::VIEW as FIRST_LIGHT;
+            pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
+            pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
+            pub use super::simple::$module::VIEW as SIMPLE;
+            pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
+            pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
+
+            pub(super) static VIEWS: [super::View<$number>; 8] = [
+                SIMPLE,
+                FIRST_LIGHT,
+                MIRROR_LEVELS,
+                ORTHOGRAPHIC,
+                THREE_SPHERES,
+                TINYRAYTRACER,
+                C_RAY,
+                BUSINESS_CARD,
+            ];
+        }
+
+        impl Gallery for $number {
+            fn views() -> &'static [View<Self>] {
+                &$module::VIEWS
+            }
+        }
+    };
+}
+
+gallery_of!(float, f32, "The gallery in `f32`, for chips with a floating-point unit.");
+gallery_of!(fixed, crate::math::Fixed, "The gallery in fixed point, for chips without one.");
+gallery_of!(double, f64, "The gallery in `f64`, for measuring on a host.");

@@ -1,0 +1,94 @@
+//! A ray tracer for microcontroller displays.
+//!
+//! No allocator, no `unsafe`, no recursion: scanray traces a row of rays into a scanline, encodes
+//! the row for the panel and hands it to any [`embedded-graphics`] `DrawTarget` with one
+//! `fill_contiguous`. The RAM it takes is one [`Workspace`]; scenes live in flash.
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+//! use scanray::*;
+//!
+//! static OBJECTS: [Object; 2] = [
+//!     Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.0, 1.0, 0.0), 1.0)), 0),
+//!     Object::new(Shape::Plane(Plane::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0))), 1),
+//! ];
+//! static MATERIALS: [Material; 2] =
+//!     [Material::matte(Rgb::new(0.9, 0.2, 0.1)).with_mirror(0.2), Material::matte(Rgb::gray(0.6))];
+//! static LIGHTS: [Light; 1] = [Light::point(Vec3::new(3.0, 5.0, 4.0), Rgb::WHITE)];
+//!
+//! let scene = Scene::new(&OBJECTS, &MATERIALS, &LIGHTS).with_ambient(Rgb::gray(0.1));
+//! let camera = Camera::perspective(
+//!     Vec3::new(0.0, 1.5, 5.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 1.0, 0.0), 40.0);
+//! let mut workspace = Workspace::<f32, Rgb565, 64, 2>::new();
+//! let mut display = MockDisplay::<Rgb565>::new();
+//! let size = display.bounding_box().size;
+//! Renderer::new(&scene, &camera, size, Settings::new(), &mut workspace)?.draw(&mut display).unwrap();
+//! # Ok::<(), RenderError>(())
+//! ```
+//!
+//! # The pipeline, and where each part lives
+//!
+//! ```text
+//! scene (flash) -> camera: axes and window, once a picture
+//!   -> row: rays by forward differences, candidates the row can touch
+//!     -> pixel: visibility -> surface -> shade -> bounces over a fixed stack -> linear light
+//!       -> exposure, transfer curve, dithering -> the panel's colour -> scanline
+//!         -> fill_contiguous, or a buffer of the caller's
+//! ```
+//!
+//! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
+//! - [`ray`], [`hit`], [`aabb`], [`color`]: what everything else speaks of.
+//! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
+//! - [`texture`], [`material`], [`brdf`], [`light`], [`environment`]: what surfaces do with light.
+//! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
+//! - [`camera`]: which ray belongs to which pixel.
+//! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
+//! - [`output`]: from linear light to the panel's bits.
+//! - [`render`]: [`Renderer`] and [`Workspace`].
+//! - [`gallery`]: scenes ready to draw, in every number.
+//!
+//! The numbers are types, not features: no flag changes a picture.
+//!
+//! [`embedded-graphics`]: https://docs.rs/embedded-graphics
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+pub mod math;
+
+pub mod aabb;
+pub mod color;
+pub mod hit;
+pub mod ray;
+
+pub mod shape;
+
+pub mod brdf;
+pub mod environment;
+pub mod light;
+pub mod material;
+pub mod texture;
+
+pub mod scene;
+
+pub mod camera;
+
+pub mod trace;
+
+pub mod output;
+
+pub mod render;
+
+pub mod gallery;
+
+pub use camera::{Camera, CameraError, Projection};
+pub use color::Rgb;
+pub use environment::Sky;
+pub use light::Light;
+pub use material::{Material, Model};
+pub use math::{Fixed, Scalar, Vec3};
+pub use output::{Dither, Encode, Transfer};
+pub use render::{RenderError, Renderer, RowError, Settings, Workspace};
+pub use scene::{Fault, Full, Object, Scene, SceneBuffer, SceneError};
+pub use shape::{Cuboid, Intersect, Plane, Shape, Sphere, Triangle};
+pub use texture::{Checker, Texture};

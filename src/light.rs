@@ -1,0 +1,59 @@
+//! Sources of light.
+
+use crate::color::Rgb;
+use crate::math::{Scalar, Vec3};
+
+/// Is a source of light without extent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Light<S = f32> {
+    /// Shines from a point in all directions, the same at any distance (row L6).
+    Point {
+        /// Where it is.
+        position: Vec3<S>,
+        /// How much light arrives.
+        color: Rgb<S>,
+    },
+    /// Shines from infinitely far away (row L6).
+    Directional {
+        /// Where the light comes from, of any length but zero.
+        toward: Vec3<S>,
+        /// How much light arrives.
+        color: Rgb<S>,
+    },
+}
+
+/// Is one light as a point of a surface sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incidence<S = f32> {
+    /// Where the light comes from, unit length.
+    pub direction: Vec3<S>,
+    /// How far away the light is.
+    pub distance: S,
+    /// How much light arrives where nothing blocks it.
+    pub color: Rgb<S>,
+}
+
+impl<S: Scalar> Light<S> {
+    /// Makes a light at a point.
+    pub const fn point(position: Vec3<S>, color: Rgb<S>) -> Self {
+        Self::Point { position, color }
+    }
+
+    /// Makes a light that comes from a direction of any length.
+    pub const fn directional(toward: Vec3<S>, color: Rgb<S>) -> Self {
+        Self::Directional { toward, color }
+    }
+
+    /// Answers the light as seen from a point; `None` from the very place of the light.
+    pub fn incidence(&self, point: Vec3<S>) -> Option<Incidence<S>> {
+        let (direction, distance, color) = match *self {
+            Self::Point { position, color } => {
+                let (direction, distance) = (position - point).normalize()?;
+                (direction, distance, color)
+            }
+            Self::Directional { toward, color } => (toward.normalize()?.0, S::FAR, color),
+        };
+        Some(Incidence { direction, distance, color })
+    }
+}

@@ -1,0 +1,95 @@
+//! What surfaces are made of.
+
+use crate::color::Rgb;
+use crate::math::Scalar;
+use crate::texture::Texture;
+
+/// Names the reflection model of a [`Material`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Model {
+    /// The texture's colour as it is, without light or shadow (row L1).
+    Flat,
+    /// Ambient, Lambert's diffuse and Phong's specular term (rows L2 and L3).
+    Phong,
+}
+
+/// Is what a surface does with light.
+///
+/// Made by [`Material::flat`] or [`Material::matte`] and refined by the `with_` functions, so
+/// that it can grow:
+///
+/// ```
+/// use scanray::{Material, Rgb};
+/// const RUBY: Material = Material::matte(Rgb::new(0.8, 0.05, 0.1))
+///     .with_specular(Rgb::gray(0.4), 50)
+///     .with_mirror(0.2);
+/// assert_eq!(RUBY.shininess, 50);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Material<S = f32> {
+    /// Colour of the diffuse and ambient reflection.
+    pub texture: Texture<S>,
+    /// Reflection model.
+    pub model: Model,
+    /// Share of the scene's ambient light it reflects.
+    pub ambient: S,
+    /// Colour of the specular reflection; black for none.
+    pub specular: Rgb<S>,
+    /// Exponent of the specular reflection.
+    pub shininess: u16,
+    /// Weight of the light that a mirror in its place would show; 0 for none (row R1).
+    pub mirror: S,
+}
+
+impl<S: Scalar> Material<S> {
+    /// Makes a material that shows its colour whatever the light.
+    pub const fn flat(color: Rgb<S>) -> Self {
+        Self { model: Model::Flat, ..Self::matte(color) }
+    }
+
+    /// Makes a diffuse material.
+    pub const fn matte(color: Rgb<S>) -> Self {
+        Self::textured(Texture::Solid(color))
+    }
+
+    /// Makes a diffuse material of a texture.
+    pub const fn textured(texture: Texture<S>) -> Self {
+        Self {
+            texture,
+            model: Model::Phong,
+            ambient: S::ONE,
+            specular: Rgb::BLACK,
+            shininess: 1,
+            mirror: S::ZERO,
+        }
+    }
+
+    /// Adds a highlight.
+    pub const fn with_specular(mut self, specular: Rgb<S>, shininess: u16) -> Self {
+        self.specular = specular;
+        self.shininess = shininess;
+        self
+    }
+
+    /// Adds a mirror reflection.
+    pub const fn with_mirror(mut self, weight: S) -> Self {
+        self.mirror = weight;
+        self
+    }
+
+    /// Sets the share of the scene's ambient light.
+    pub const fn with_ambient(mut self, share: S) -> Self {
+        self.ambient = share;
+        self
+    }
+
+    /// Tells whether every value is one a scene may contain.
+    pub fn in_range(&self) -> bool {
+        self.texture.in_range()
+            && self.ambient.in_range()
+            && self.specular.in_range()
+            && self.mirror.in_range()
+    }
+}

@@ -1,0 +1,91 @@
+use core::fmt::Debug;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// Is a number that rays can be traced in.
+///
+/// It asks only for what a float and a fixed-point number can both answer honestly: no
+/// trigonometry and no general powers. Operators saturate where the number has an end; nothing
+/// wraps and nothing panics.
+pub trait Scalar:
+    Copy
+    + PartialEq
+    + PartialOrd
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// Holds products of two scalars and their sums without losing digits.
+    type Wide: Wide;
+
+    /// Is 0.
+    const ZERO: Self;
+    /// Is 1.
+    const ONE: Self;
+    /// Is 1/2.
+    const HALF: Self;
+    /// Is the half circumference of the unit circle.
+    const PI: Self;
+    /// Stands for "infinitely far": no hit is looked for beyond this distance.
+    const FAR: Self;
+    /// Is the largest magnitude a coordinate, radius or colour of a scene may have.
+    const LIMIT: Self;
+    /// Is how far a ray travels from a user's own shape before it may hit that shape again.
+    const SKIN: Self;
+
+    /// Converts a small whole number; saturates.
+    fn from_i32(n: i32) -> Self;
+    /// Multiplies into the wide type, exactly where the number is fixed point.
+    fn mul_wide(self, rhs: Self) -> Self::Wide;
+    /// Brings a wide value back; saturates.
+    fn narrow(wide: Self::Wide) -> Self;
+    /// Takes the square root of a wide value; 0 for a negative one.
+    fn sqrt(wide: Self::Wide) -> Self;
+    /// Divides two wide values. A zero divisor answers the largest value of the quotient's sign.
+    fn div(numerator: Self::Wide, denominator: Self::Wide) -> Self;
+    /// Answers 1/self; for 0 the largest value.
+    fn recip(self) -> Self;
+    /// Rounds down to a whole number; saturates.
+    fn floor(self) -> i32;
+    /// Raises a value of [0, 1] to a whole power by repeated squaring.
+    fn pow_unit(self, exponent: u16) -> Self;
+    /// Scales a vector to unit length and answers it with the length it had; `None` for zero.
+    fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)>;
+    /// Converts light to an integer of 24 bits: 0 is none, 2^24 is 1 and above; rounds down.
+    fn light_bits(self) -> u32;
+    /// Tells whether a scene may contain this value: a number, no larger than [`Self::LIMIT`].
+    fn in_range(self) -> bool;
+
+    /// Answers the magnitude.
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+    /// Answers the smaller of two; the second one when they cannot be compared.
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    /// Answers the larger of two; the second one when they cannot be compared.
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+}
+
+/// Is a sum of products of [`Scalar`]s.
+pub trait Wide:
+    Copy + PartialEq + PartialOrd + Debug + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self>
+{
+    /// Is 0.
+    const ZERO: Self;
+
+    /// Multiplies by the fraction `numerator / denominator` of two small whole numbers.
+    ///
+    /// The denominator is taken as at least 1.
+    fn scale(self, numerator: i32, denominator: i32) -> Self;
+
+    /// Answers the magnitude.
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+}

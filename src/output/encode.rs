@@ -1,0 +1,96 @@
+use super::{Dither, Transfer};
+use crate::color::Rgb;
+use crate::math::Scalar;
+use embedded_graphics_core::pixelcolor::{
+    BinaryColor, Gray4, Gray8, IntoStorage, Rgb565, Rgb666, Rgb888, RgbColor,
+};
+
+/// Turns the light of one pixel into levels.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantizer {
+    transfer: Transfer,
+    threshold: u32,
+}
+
+impl Quantizer {
+    /// Makes the quantizer of the pixel in column `x` of row `y`.
+    pub fn new(transfer: Transfer, dither: Dither, x: u32, y: u32) -> Self {
+        Self { transfer, threshold: dither.threshold(x, y) }
+    }
+
+    /// Answers the level, 0 to `top`, of a 24-bit light.
+    pub fn level(&self, light: u32, top: u8) -> u8 {
+        let level = (self.transfer.level(light) * u32::from(top) + self.threshold) >> 16;
+        // The threshold is below 2^16, so the largest light yields `top` itself.
+        level.min(u32::from(top)) as u8
+    }
+}
+
+/// Is a colour a panel understands.
+pub trait Encode: Copy {
+    /// Is the darkest colour.
+    const BLACK: Self;
+
+    /// Makes the colour of three 24-bit lights: red, green, blue.
+    fn encode(light: [u32; 3], quantizer: Quantizer) -> Self;
+
+    /// Makes the colour of linear light.
+    fn from_light<S: Scalar>(light: Rgb<S>, quantizer: Quantizer) -> Self {
+        Self::encode([light.r.light_bits(), light.g.light_bits(), light.b.light_bits()], quantizer)
+    }
+}
+
+/// Answers the luminance of three 24-bit lights (Rec. 709 weights 0.2126, 0.7152, 0.0722).
+fn luminance([r, g, b]: [u32; 3]) -> u32 {
+    // 12-bit weights and 20-bit lights keep the sum in 32 bits; they add up to 4096.
+    ((r >> 4) * 871 + (g >> 4) * 2929 + (b >> 4) * 296) >> 8
+}
+
+macro_rules! encode_rgb {
+    ($color:ty, $red:expr, $green:expr, $blue:expr) => {
+        impl Encode for $color {
+            const BLACK: Self = <$color>::new(0, 0, 0);
+
+            fn encode([r, g, b]: [u32; 3], quantizer: Quantizer) -> Self {
+                <$color>::new(quantizer.level(r, $red), quantizer.level(g, $green), quantizer.level(b, $blue))
+            }
+        }
+    };
+}
+
+encode_rgb!(Rgb565, Rgb565::MAX_R, Rgb565::MAX_G, Rgb565::MAX_B);
+encode_rgb!(Rgb666, Rgb666::MAX_R, Rgb666::MAX_G, Rgb666::MAX_B);
+encode_rgb!(Rgb888, Rgb888::MAX_R, Rgb888::MAX_G, Rgb888::MAX_B);
+
+impl Encode for Gray8 {
+    const BLACK: Self = Gray8::new(0);
+
+    fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
+        Gray8::new(quantizer.level(luminance(light), 255))
+    }
+}
+
+impl Encode for Gray4 {
+    const BLACK: Self = Gray4::new(0);
+
+    fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
+        Gray4::new(quantizer.level(luminance(light), 15))
+    }
+}
+
+impl Encode for BinaryColor {
+    const BLACK: Self = BinaryColor::Off;
+
+    fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
+        if quantizer.level(luminance(light), 1) == 1 { BinaryColor::On } else { BinaryColor::Off }
+    }
+}
+
+/// Is an [`Rgb565`] as most panels take it over the bus: the high byte first.
+impl Encode for [u8; 2] {
+    const BLACK: Self = [0, 0];
+
+    fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
+        Rgb565::encode(light, quantizer).into_storage().to_be_bytes()
+    }
+}

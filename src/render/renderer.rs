@@ -1,0 +1,149 @@
+use super::picture::Picture;
+use super::{RenderError, RowError, Settings, Workspace};
+use crate::camera::Camera;
+use crate::color::Rgb;
+use crate::math::Scalar;
+use crate::output::Encode;
+use crate::scene::Scene;
+use crate::shape::Intersect;
+use crate::trace::Observer;
+use core::convert::Infallible;
+use core::ops::Range;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// Draws a scene row by row.
+///
+/// Rows do not depend on each other: any row, or part of one, comes out the same whenever and in
+/// whatever order it is asked for.
+#[derive(Debug)]
+pub struct Renderer<'a, 'w, S: Scalar, C, const WIDTH: usize, const DEPTH: usize, X = Infallible> {
+    picture: Picture<'a, S, X>,
+    workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
+}
+
+impl<'a, 'w, S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'a, 'w, S, C, WIDTH, DEPTH, X>
+where
+    S: Scalar,
+    C: Encode,
+    X: Intersect<S> + Copy,
+{
+    /// Makes a renderer for pictures of one size.
+    ///
+    /// # Errors
+    /// Whatever keeps the picture from being drawn: a fault of the scene or the camera, a
+    /// workspace too small.
+    pub fn new(
+        scene: &Scene<'a, S, X>,
+        camera: &Camera<S>,
+        size: Size,
+        settings: Settings<S>,
+        workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
+    ) -> Result<Self, RenderError> {
+        scene.check()?;
+        if WIDTH > 0 && size.width as usize > WIDTH {
+            return Err(RenderError::RowTooWide { width: size.width, room: WIDTH });
+        }
+        if usize::from(settings.depth) > DEPTH {
+            return Err(RenderError::TooDeep { depth: settings.depth, room: DEPTH });
+        }
+        if !(settings.exposure >= S::ZERO && settings.exposure.in_range()) {
+            return Err(RenderError::Exposure);
+        }
+        let frame = camera.frame(size.width, size.height)?;
+        Ok(Self { picture: Picture { scene: *scene, frame, size, settings }, workspace })
+    }
+
+    /// Answers the size of the picture.
+    pub fn size(&self) -> Size {
+        self.picture.size
+    }
+
+    /// Traces the pixels `columns` of row `y` and hands each its linear light, left to right.
+    ///
+    /// # Errors
+    /// [`RowError::NoSuchRow`] below the picture.
+    pub fn trace_row(
+        &mut self,
+        y: u32,
+        columns: Range<u32>,
+        observer: &mut impl Observer,
+        pixel: impl FnMut(u32, Rgb<S>),
+    ) -> Result<(), RowError> {
+        self.picture.trace_row(&mut self.workspace.scratch, y, columns, observer, pixel)
+    }
+
+    /// Renders row `y` into a buffer of the caller's: the door for those who feed a display by DMA.
+    ///
+    /// `P` is any colour of embedded-graphics, or `[u8; 2]` for the bytes of Rgb565 as the bus
+    /// wants them.
+    ///
+    /// # Errors
+    /// [`RowError`] when there is no such row, or the buffer is not exactly as long as it.
+    pub fn render_row<P: Encode>(&mut self, y: u32, row: &mut [P]) -> Result<(), RowError> {
+        let width = self.picture.size.width;
+        if row.len() != width as usize {
+            return Err(RowError::BufferLength { width, length: row.len() });
+        }
+        self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row)
+    }
+}
+
+impl<S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'_, '_, S, C, WIDTH, DEPTH, X>
+where
+    S: Scalar,
+    C: Encode + PixelColor,
+    X: Intersect<S> + Copy,
+{
+    /// Draws the picture at the upper left corner of a display, one `fill_contiguous` a row.
+    ///
+    /// # Errors
+    /// The display's own error, untouched. Drawing again draws the whole picture again.
+    pub fn draw<D: DrawTarget<Color = C>>(&mut self, target: &mut D) -> Result<(), D::Error> {
+        let corner = target.bounding_box().top_left;
+        self.draw_at(corner, target)
+    }
+
+    /// Draws the picture with its upper left corner at a point of the display.
+    ///
+    /// # Errors
+    /// The display's own error, untouched.
+    pub fn draw_at<D: DrawTarget<Color = C>>(
+        &mut self,
+        corner: Point,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        self.draw_part(&Rectangle::new(Point::zero(), self.picture.size), corner, target)
+    }
+
+    /// Draws a part of the picture, given in the picture's own pixels, where it belongs when the
+    /// picture's upper left corner is at a point of the display.
+    ///
+    /// What of `part` lies outside the picture is not drawn.
+    ///
+    /// # Errors
+    /// The display's own error, untouched.
+    pub fn draw_part<D: DrawTarget<Color = C>>(
+        &mut self,
+        part: &Rectangle,
+        corner: Point,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        const { assert!(WIDTH > 0, "drawing needs a workspace with room for a row") };
+        let part = part.intersection(&Rectangle::new(Point::zero(), self.picture.size));
+        let Point { x: left, y: top } = part.top_left;
+        let columns = left as u32..left as u32 + part.size.width;
+        let Workspace { scanline, scratch } = &mut *self.workspace;
+        let Some(pixels) = scanline.get_mut(..columns.len()) else { return Ok(()) };
+        for y in top as u32..top as u32 + part.size.height {
+            // The part lies inside the picture, so the row exists.
+            let _ = self.picture.encode_row(scratch, y, columns.clone(), pixels);
+            let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
+            let row = Rectangle::new(place, Size::new(part.size.width, 1));
+            target.fill_contiguous(&row, pixels.iter().copied())?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,53 @@
+use crate::math::Scalar;
+use crate::output::{Dither, Transfer};
+
+/// Is how a picture is made of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Settings<S = f32> {
+    /// How many mirrors light may have met on its way, at most the workspace's `DEPTH`.
+    pub depth: u8,
+    /// Factor on all light before the transfer curve.
+    pub exposure: S,
+    /// How light becomes levels.
+    pub transfer: Transfer,
+    /// How levels are rounded.
+    pub dither: Dither,
+}
+
+impl<S: Scalar> Settings<S> {
+    /// Makes the settings of a usual picture: one bounce, the sRGB curve, ordered dithering.
+    pub const fn new() -> Self {
+        Self { depth: 1, exposure: S::ONE, transfer: Transfer::Srgb, dither: Dither::Ordered }
+    }
+
+    /// Sets the number of mirrors.
+    pub const fn with_depth(mut self, depth: u8) -> Self {
+        self.depth = depth;
+        self
+    }
+
+    /// Sets the factor on all light.
+    pub const fn with_exposure(mut self, exposure: S) -> Self {
+        self.exposure = exposure;
+        self
+    }
+
+    /// Sets the transfer curve.
+    pub const fn with_transfer(mut self, transfer: Transfer) -> Self {
+        self.transfer = transfer;
+        self
+    }
+
+    /// Sets the rounding.
+    pub const fn with_dither(mut self, dither: Dither) -> Self {
+        self.dither = dither;
+        self
+    }
+}
+
+impl<S: Scalar> Default for Settings<S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}

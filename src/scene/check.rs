@@ -1,0 +1,137 @@
+use super::{Object, Scene};
+use crate::environment::Sky;
+use crate::light::Light;
+use crate::math::{Scalar, Vec3};
+use crate::shape::Intersect;
+use core::fmt;
+
+/// Tells what is wrong with one thing of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Fault {
+    /// A value is not a number, or larger than [`Scalar::LIMIT`].
+    OutOfRange,
+    /// A radius is zero or negative.
+    RadiusNotPositive,
+    /// Corners coincide or lie on a line.
+    Degenerate,
+    /// The low corner of a box lies above the high one.
+    CornersSwapped,
+    /// A normal or direction has no length, or an `up` not unit length.
+    NoDirection,
+    /// The object names a material that is not in the list.
+    NoSuchMaterial(u16),
+    /// There are more objects than an index can name, 65535.
+    TooMany,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange => f.write_str("a value is not a number or too large for the number type"),
+            Self::RadiusNotPositive => f.write_str("its radius is not above zero"),
+            Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
+            Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),
+            Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
+            Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
+            Self::TooMany => f.write_str("there are more than 65535 of them"),
+        }
+    }
+}
+
+/// Names the thing of a scene that is wrong, by its place in its list, and the fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// An object.
+    Object(usize, Fault),
+    /// A material.
+    Material(usize, Fault),
+    /// A light.
+    Light(usize, Fault),
+    /// The sky.
+    Sky(Fault),
+    /// The ambient light.
+    Ambient(Fault),
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Object(index, fault) => write!(f, "object {index}: {fault}"),
+            Self::Material(index, fault) => write!(f, "material {index}: {fault}"),
+            Self::Light(index, fault) => write!(f, "light {index}: {fault}"),
+            Self::Sky(fault) => write!(f, "sky: {fault}"),
+            Self::Ambient(fault) => write!(f, "ambient light: {fault}"),
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}
+
+fn in_range(usable: bool) -> Result<(), Fault> {
+    if usable { Ok(()) } else { Err(Fault::OutOfRange) }
+}
+
+fn check_object<S: Scalar, X: Intersect<S>>(object: &Object<S, X>, materials: usize) -> Result<(), Fault> {
+    if usize::from(object.material) >= materials {
+        return Err(Fault::NoSuchMaterial(object.material));
+    }
+    object.shape.check()
+}
+
+fn check_light<S: Scalar>(light: &Light<S>) -> Result<(), Fault> {
+    match light {
+        Light::Point { position, color } => in_range(position.in_range() && color.in_range()),
+        Light::Directional { toward, color } => {
+            in_range(toward.in_range() && color.in_range())?;
+            toward.normalize().map(|_| ()).ok_or(Fault::NoDirection)
+        }
+    }
+}
+
+/// Accepts a vector whose length is within 1/256 of 1.
+fn check_unit<S: Scalar>(v: Vec3<S>) -> Result<(), Fault> {
+    let slack = S::recip(S::from_i32(256));
+    let off = (v.length() - S::ONE).abs();
+    if off < slack { Ok(()) } else { Err(Fault::NoDirection) }
+}
+
+fn check_sky<S: Scalar>(sky: &Sky<S>) -> Result<(), Fault> {
+    match sky {
+        Sky::Solid(color) => in_range(color.in_range()),
+        Sky::Gradient { up, nadir, zenith } => {
+            in_range(up.in_range() && nadir.in_range() && zenith.in_range())?;
+            check_unit(*up)
+        }
+    }
+}
+
+/// Runs a check over a list and names the first that fails.
+fn each<T>(
+    list: &[T],
+    name: fn(usize, Fault) -> SceneError,
+    check: impl Fn(&T) -> Result<(), Fault>,
+) -> Result<(), SceneError> {
+    for (index, item) in list.iter().enumerate() {
+        check(item).map_err(|fault| name(index, fault))?;
+    }
+    Ok(())
+}
+
+impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
+    /// Tells whether the scene can be drawn in its number type.
+    ///
+    /// # Errors
+    /// The first thing that is wrong and what is wrong with it.
+    pub fn check(&self) -> Result<(), SceneError> {
+        if self.objects.len() > usize::from(u16::MAX) {
+            return Err(SceneError::Object(self.objects.len(), Fault::TooMany));
+        }
+        each(self.objects, SceneError::Object, |o| check_object(o, self.materials.len()))?;
+        each(self.materials, SceneError::Material, |m| in_range(m.in_range()))?;
+        each(self.lights, SceneError::Light, check_light)?;
+        check_sky(&self.sky).map_err(SceneError::Sky)?;
+        in_range(self.ambient.in_range()).map_err(SceneError::Ambient)
+    }
+}

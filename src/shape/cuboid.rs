@@ -1,0 +1,150 @@
+use super::Intersect;
+use crate::aabb::Aabb;
+use crate::hit::{Crossing, Surface};
+use crate::math::{Scalar, Vec3};
+use crate::ray::{Interval, Ray};
+use crate::scene::Fault;
+
+/// Is a box along the axes: the points with every coordinate between those of two corners.
+///
+/// Each axis gives a slab of distances; the ray is inside from the last slab entered to the first
+/// one left (Kay and Kajiya 1986; row O3). Parts are the faces: 0 low x, 1 high x, 2 low y, 3 high
+/// y, 4 low z, 5 high z. Texture coordinates run from 0 to 1 over a face along its two axes in
+/// order. One extent may be 0: that is a rectangle seen from both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid<S = f32> {
+    /// Corner with the lowest coordinates.
+    pub low: Vec3<S>,
+    /// Corner with the highest coordinates.
+    pub high: Vec3<S>,
+}
+
+impl<S> Cuboid<S> {
+    /// Makes a box of the corners with the lowest and the highest coordinates.
+    pub const fn new(low: Vec3<S>, high: Vec3<S>) -> Self {
+        Self { low, high }
+    }
+}
+
+/// Is where a ray enters and leaves, and through which face.
+struct Passage<S> {
+    enter: (S, u16),
+    leave: (S, u16),
+}
+
+impl<S: Scalar> Cuboid<S> {
+    fn passage(&self, ray: &Ray<S>) -> Option<Passage<S>> {
+        let (low, high) = (self.low.to_array(), self.high.to_array());
+        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+        let mut passage = Passage { enter: (-S::FAR, 0), leave: (S::FAR, 0) };
+        let mut face = 0;
+        for ((low, high), (o, d)) in low.into_iter().zip(high).zip(origin.into_iter().zip(direction)) {
+            if d == S::ZERO {
+                // Along the slab: a ray in the face itself counts as inside.
+                if o < low || o > high {
+                    return None;
+                }
+            } else {
+                let inverse = d.recip();
+                let (to_low, to_high) = ((low - o) * inverse, (high - o) * inverse);
+                let (first, last) = if d > S::ZERO {
+                    ((to_low, face), (to_high, face + 1))
+                } else {
+                    ((to_high, face + 1), (to_low, face))
+                };
+                if first.0 > passage.enter.0 {
+                    passage.enter = first;
+                }
+                if last.0 < passage.leave.0 {
+                    passage.leave = last;
+                }
+            }
+            face += 2;
+        }
+        (passage.enter.0 <= passage.leave.0).then_some(passage)
+    }
+
+    /// Answers the plane coordinate of a face.
+    fn level(&self, face: u16) -> S {
+        match face {
+            0 => self.low.x,
+            1 => self.high.x,
+            2 => self.low.y,
+            3 => self.high.y,
+            4 => self.low.z,
+            _ => self.high.z,
+        }
+    }
+
+    /// Answers a point's place between the low and the high corner, from 0 to 1 on each axis.
+    fn place(&self, point: Vec3<S>) -> Vec3<S> {
+        let share = |p: S, low: S, high: S| S::div((p - low).mul_wide(S::ONE), (high - low).mul_wide(S::ONE));
+        Vec3::new(
+            share(point.x, self.low.x, self.high.x),
+            share(point.y, self.low.y, self.high.y),
+            share(point.z, self.low.z, self.high.z),
+        )
+    }
+}
+
+fn crossing<S: Scalar>((t, part): (S, u16)) -> Crossing<S> {
+    Crossing { t, part, u: S::ZERO, v: S::ZERO }
+}
+
+impl<S: Scalar> Intersect<S> for Cuboid<S> {
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        let Passage { enter, leave } = self.passage(ray)?;
+        if interval.contains(enter.0) {
+            Some(crossing(enter))
+        } else if interval.contains(leave.0) {
+            Some(crossing(leave))
+        } else {
+            None
+        }
+    }
+
+    /// From the surface outward the box is behind; inward the ray leaves it at its far face.
+    fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        let Passage { enter, leave } = self.passage(ray)?;
+        // The start is one of the two ends, up to rounding: the one nearer to it.
+        let inward = enter.0.abs() < leave.0.abs();
+        (inward && interval.contains(leave.0)).then(|| crossing(leave))
+    }
+
+    fn surface(&self, ray: &Ray<S>, found: &Crossing<S>) -> Surface<S> {
+        let mut point = ray.at(found.t);
+        let outward = if found.part & 1 == 1 { S::ONE } else { -S::ONE };
+        let mut normal = Vec3::ZERO;
+        let level = self.level(found.part);
+        match found.part {
+            0 | 1 => (point.x, normal.x) = (level, outward),
+            2 | 3 => (point.y, normal.y) = (level, outward),
+            _ => (point.z, normal.z) = (level, outward),
+        }
+        let place = self.place(point);
+        let (u, v) = match found.part {
+            0 | 1 => (place.y, place.z),
+            2 | 3 => (place.x, place.z),
+            _ => (place.x, place.y),
+        };
+        Surface { point, normal, u, v, part: found.part }
+    }
+
+    fn bounds(&self) -> Option<Aabb<S>> {
+        Some(Aabb::between(self.low, self.high))
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        if !(self.low.in_range() && self.high.in_range()) {
+            return Err(Fault::OutOfRange);
+        }
+        let extents = (self.high - self.low).to_array();
+        if extents.iter().any(|extent| *extent < S::ZERO) {
+            Err(Fault::CornersSwapped)
+        } else if extents.iter().filter(|extent| **extent == S::ZERO).count() > 1 {
+            Err(Fault::Degenerate)
+        } else {
+            Ok(())
+        }
+    }
+}

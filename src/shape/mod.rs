@@ -1,0 +1,112 @@
+//! Shapes: a closed set with a spare room for the user's own.
+//!
+//! Each file holds the same four parts: the equation, the struct with its `const fn new`, its
+//! [`Intersect`], its tests.
+
+mod cuboid;
+mod plane;
+mod sphere;
+mod triangle;
+
+pub use cuboid::Cuboid;
+pub use plane::Plane;
+pub use sphere::Sphere;
+pub use triangle::Triangle;
+
+use crate::aabb::Aabb;
+use crate::hit::{Crossing, Surface};
+use crate::math::Scalar;
+use crate::ray::{Interval, Ray};
+use crate::scene::Fault;
+use core::convert::Infallible;
+
+/// Is what a shape must be able to do.
+pub trait Intersect<S: Scalar> {
+    /// Finds the nearest crossing inside the interval.
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>>;
+
+    /// Finds the nearest crossing of a ray that starts on this very surface, leaving out the start.
+    ///
+    /// The shapes of this crate know the answer without a tolerance: a ray cannot meet a plane
+    /// again. A shape that leaves this to the default ignores crossings nearer than
+    /// [`Scalar::SKIN`].
+    fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        self.intersect(ray, &Interval::new(interval.near.max(S::SKIN), interval.far))
+    }
+
+    /// Works out the surface at a crossing that [`Intersect::intersect`] found for the same ray.
+    fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S>;
+
+    /// Answers a box that holds the shape; `None` where the shape has no end.
+    fn bounds(&self) -> Option<Aabb<S>>;
+
+    /// Tells what is wrong with the shape, if anything.
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+/// Is one of the shapes a scene is made of; `X` is the user's own, by default none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape<S = f32, X = Infallible> {
+    /// A ball.
+    Sphere(Sphere<S>),
+    /// An endless plane.
+    Plane(Plane<S>),
+    /// A triangle.
+    Triangle(Triangle<S>),
+    /// A box along the axes.
+    Cuboid(Cuboid<S>),
+    /// The user's own shape.
+    Custom(X),
+}
+
+/// Calls the same method of whichever shape it is.
+macro_rules! dispatch {
+    ($shape:expr, $inner:ident => $call:expr) => {
+        match $shape {
+            Shape::Sphere($inner) => $call,
+            Shape::Plane($inner) => $call,
+            Shape::Triangle($inner) => $call,
+            Shape::Cuboid($inner) => $call,
+            Shape::Custom($inner) => $call,
+        }
+    };
+}
+
+impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        dispatch!(self, shape => shape.intersect(ray, interval))
+    }
+
+    fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        dispatch!(self, shape => shape.intersect_leaving(ray, interval))
+    }
+
+    fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
+        dispatch!(self, shape => shape.surface(ray, crossing))
+    }
+
+    fn bounds(&self) -> Option<Aabb<S>> {
+        dispatch!(self, shape => shape.bounds())
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        dispatch!(self, shape => shape.check())
+    }
+}
+
+/// Fills the spare room of [`Shape`] when there is no shape of the user's: it costs nothing.
+impl<S: Scalar> Intersect<S> for Infallible {
+    fn intersect(&self, _: &Ray<S>, _: &Interval<S>) -> Option<Crossing<S>> {
+        match *self {}
+    }
+
+    fn surface(&self, _: &Ray<S>, _: &Crossing<S>) -> Surface<S> {
+        match *self {}
+    }
+
+    fn bounds(&self) -> Option<Aabb<S>> {
+        match *self {}
+    }
+}

@@ -1,0 +1,83 @@
+use super::Intersect;
+use crate::aabb::Aabb;
+use crate::hit::{Crossing, Surface};
+use crate::math::{Scalar, Vec3};
+use crate::ray::{Interval, Ray};
+use crate::scene::Fault;
+
+/// Is a ball: the points with `|p - center| = radius`.
+///
+/// With `b = d.(c - o)` and `h^2 = r^2 - |(c - o) - b d|^2` a ray of unit direction crosses it at
+/// `b - h` and `b + h` (the form of Haines, Günther and Akenine-Möller 2019, in *Ray Tracing Gems*,
+/// that does not subtract two large squares; row O1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<S = f32> {
+    /// Middle of the ball.
+    pub center: Vec3<S>,
+    /// Distance of the surface from it, above 0.
+    pub radius: S,
+}
+
+impl<S> Sphere<S> {
+    /// Makes a ball.
+    pub const fn new(center: Vec3<S>, radius: S) -> Self {
+        Self { center, radius }
+    }
+}
+
+impl<S: Scalar> Intersect<S> for Sphere<S> {
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        let to_center = self.center - ray.origin;
+        let b = to_center.dot(ray.direction);
+        let across = to_center - ray.direction * b;
+        let square = self.radius.mul_wide(self.radius) - across.dot_wide(across);
+        if square < S::ZERO.mul_wide(S::ZERO) {
+            return None;
+        }
+        let h = S::sqrt(square);
+        let (first, second) = (b - h, b + h);
+        if interval.contains(first) {
+            Some(Crossing::at(first))
+        } else if interval.contains(second) {
+            Some(Crossing::at(second))
+        } else {
+            None
+        }
+    }
+
+    /// From the surface outward there is no second crossing; inward it is at `2 b`.
+    fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        let b = (self.center - ray.origin).dot(ray.direction);
+        let t = b + b;
+        interval.contains(t).then_some(Crossing::at(t))
+    }
+
+    fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
+        let rough = ray.at(crossing.t);
+        let (normal, distance) = (rough - self.center).normalize().unwrap_or((-ray.direction, self.radius));
+        Surface {
+            // Moved along the normal by what rounding left: half a unit on a ball of radius 999
+            // in fixed point, were it not for this.
+            point: rough + normal * (self.radius - distance),
+            normal,
+            u: S::ZERO,
+            v: S::ZERO,
+            part: 0,
+        }
+    }
+
+    fn bounds(&self) -> Option<Aabb<S>> {
+        let half = Vec3::new(self.radius, self.radius, self.radius);
+        Some(Aabb { center: self.center, half })
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        if !(self.center.in_range() && self.radius.in_range()) {
+            Err(Fault::OutOfRange)
+        } else if self.radius > S::ZERO {
+            Ok(())
+        } else {
+            Err(Fault::RadiusNotPositive)
+        }
+    }
+}

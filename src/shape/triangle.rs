@@ -1,0 +1,98 @@
+use super::Intersect;
+use crate::aabb::Aabb;
+use crate::hit::{Crossing, Surface};
+use crate::math::{Scalar, Vec3, Wide};
+use crate::ray::{Interval, Ray};
+use crate::scene::Fault;
+
+/// Is a triangle, seen from both sides: the points `a + u (b - a) + v (c - a)` with `u`, `v` and
+/// `1 - u - v` in [0, 1].
+///
+/// The test is that of Möller and Trumbore (1997; row O2): with edges e, f and s = o - a, the
+/// determinant `e.(d x f)` divides `s.(d x f)` into u and `s.(e x d)` into v. The distance is
+/// that of the point u and v name, so no product of three lengths has to fit the number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle<S = f32> {
+    /// First corner, u = v = 0.
+    pub a: Vec3<S>,
+    /// Second corner, u = 1.
+    pub b: Vec3<S>,
+    /// Third corner, v = 1. The outward side is the one from which a, b, c run anticlockwise.
+    pub c: Vec3<S>,
+}
+
+impl<S> Triangle<S> {
+    /// Makes a triangle of its corners.
+    pub const fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>) -> Self {
+        Self { a, b, c }
+    }
+}
+
+impl<S: Scalar> Triangle<S> {
+    fn edges(&self) -> (Vec3<S>, Vec3<S>) {
+        (self.b - self.a, self.c - self.a)
+    }
+
+    /// Answers the unit normal; `None` when the corners lie on a line.
+    fn normal(&self) -> Option<Vec3<S>> {
+        // Unit edges first: the product of two long ones would not fit a fixed-point number.
+        let (e, f) = self.edges();
+        let (e, f) = (e.normalize()?.0, f.normalize()?.0);
+        Some(e.cross(f).normalize()?.0)
+    }
+
+    fn point(&self, u: S, v: S) -> Vec3<S> {
+        let (e, f) = self.edges();
+        self.a + e * u + f * v
+    }
+}
+
+impl<S: Scalar> Intersect<S> for Triangle<S> {
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        let (e, f) = self.edges();
+        let p = ray.direction.cross(f);
+        let determinant = e.dot_wide(p);
+        let from_corner = ray.origin - self.a;
+        let u = from_corner.dot_wide(p);
+        let v = from_corner.dot_wide(e.cross(ray.direction));
+        // Both signs of the determinant are a hit: one from each side.
+        let (determinant, u, v) =
+            if determinant < S::Wide::ZERO { (-determinant, -u, -v) } else { (determinant, u, v) };
+        let outside = u < S::Wide::ZERO || v < S::Wide::ZERO || u + v > determinant;
+        if outside || determinant == S::Wide::ZERO {
+            return None;
+        }
+        let (u, v) = (S::div(u, determinant), S::div(v, determinant));
+        let t = (self.point(u, v) - ray.origin).dot(ray.direction);
+        interval.contains(t).then_some(Crossing { t, part: 0, u, v })
+    }
+
+    /// A ray that starts on a triangle never meets it again.
+    fn intersect_leaving(&self, _: &Ray<S>, _: &Interval<S>) -> Option<Crossing<S>> {
+        None
+    }
+
+    fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
+        Surface {
+            point: self.point(crossing.u, crossing.v),
+            normal: self.normal().unwrap_or(-ray.direction),
+            u: crossing.u,
+            v: crossing.v,
+            part: 0,
+        }
+    }
+
+    fn bounds(&self) -> Option<Aabb<S>> {
+        Some(Aabb::around([self.a, self.b, self.c]))
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        if !(self.a.in_range() && self.b.in_range() && self.c.in_range()) {
+            Err(Fault::OutOfRange)
+        } else if self.normal().is_none() {
+            Err(Fault::Degenerate)
+        } else {
+            Ok(())
+        }
+    }
+}

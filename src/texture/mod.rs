@@ -1,0 +1,37 @@
+//! Textures: what colours a surface has from place to place.
+
+mod checker;
+
+pub use checker::Checker;
+
+use crate::color::Rgb;
+use crate::hit::Surface;
+use crate::math::Scalar;
+
+/// Is the colour of a surface, linear light reflected of white light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Texture<S = f32> {
+    /// The same colour everywhere.
+    Solid(Rgb<S>),
+    /// A chessboard over the shape's texture coordinates.
+    Checker(Checker<S>),
+}
+
+impl<S: Scalar> Texture<S> {
+    /// Answers the colour at a hit.
+    pub fn color(&self, surface: &Surface<S>) -> Rgb<S> {
+        match self {
+            Self::Solid(color) => *color,
+            Self::Checker(checker) => checker.color(surface.u, surface.v),
+        }
+    }
+
+    /// Tells whether every value is one a scene may contain.
+    pub fn in_range(&self) -> bool {
+        match self {
+            Self::Solid(color) => color.in_range(),
+            Self::Checker(checker) => checker.in_range(),
+        }
+    }
+}

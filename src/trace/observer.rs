@@ -1,0 +1,44 @@
+/// Names what a ray is sent for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RayKind {
+    /// From the eye through a pixel.
+    Primary,
+    /// From a surface to a light.
+    Shadow,
+    /// From a surface into the mirror direction.
+    Reflection,
+}
+
+/// Watches the tracer at work, from outside: the core asks nothing of it.
+///
+/// `()` watches nothing and costs nothing.
+pub trait Observer {
+    /// Is told of each ray before it is traced.
+    fn ray(&mut self, kind: RayKind);
+}
+
+impl Observer for () {
+    fn ray(&mut self, _: RayKind) {}
+}
+
+/// Counts rays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounts {
+    /// Rays from the eye.
+    pub primary: u64,
+    /// Rays to lights.
+    pub shadow: u64,
+    /// Rays into mirror directions.
+    pub reflection: u64,
+}
+
+impl Observer for RayCounts {
+    fn ray(&mut self, kind: RayKind) {
+        match kind {
+            RayKind::Primary => self.primary += 1,
+            RayKind::Shadow => self.shadow += 1,
+            RayKind::Reflection => self.reflection += 1,
+        }
+    }
+}
