@@ -13,7 +13,7 @@ super::in_every_number! {
         Material::matte(gray(0.1)).with_specular(Rgb::WHITE, 99).with_mirror(n(0.5)),
         Material::matte(rgb(0.0, 0.5, 0.0)).with_specular(Rgb::WHITE, 99).with_mirror(n(0.2)),
         Material::matte(rgb(0.0, 0.35, 0.5)).with_specular(Rgb::WHITE, 99).with_mirror(n(0.3)),
-        Material::textured(Texture::Checker(Checker::new(gray(0.6), rgb(0.6, 0.2, 0.2), n(1.0)))),
+        Material::textured(Texture::Checker(Checker::new(gray(0.6), rgb(0.6, 0.2, 0.2), n(0.2)))),
     ];
     static LIGHTS: [Light<S>; 1] = [Light::point(v(9.0, 6.0, 16.0), Rgb::WHITE)];
 

@@ -1,4 +1,4 @@
-//! Balls between two mirrors: each level of reflection adds one more pair of rooms.
+//! Balls between two mirrors that face each other: each level of reflection adds a room.
 
 super::in_every_number! {
     static OBJECTS: [Object<S>; 6] = [
@@ -18,7 +18,7 @@ super::in_every_number! {
     ];
     static LIGHTS: [Light<S>; 1] = [Light::point(v(3.0, 6.0, 4.0), gray(0.9))];
 
-    /// Two mirrors at a right angle and a silver ball.
+    /// Two mirrors face to face and a silver ball.
     pub const VIEW: View<S> = View {
         name: "mirror-levels",
         about: "balls between mirrors: draw it at depth 1 to 5 to see one to five levels of reflection",
@@ -29,7 +29,7 @@ super::in_every_number! {
                 nadir: gray(0.9),
                 zenith: rgb(0.15, 0.35, 0.75),
             }),
-        camera: Camera::perspective(v(2.6, 2.2, 4.6), v(-0.6, 1.0, -2.2), v(0.0, 1.0, 0.0), n(46.0)),
+        camera: Camera::perspective(v(2.1, 1.9, 1.2), v(-0.2, 1.0, -2.4), v(0.0, 1.0, 0.0), n(58.0)),
         settings: Settings::new().with_depth(5),
         size: [320, 240],
     };

@@ -1,0 +1,128 @@
+//! Wrong scenes and cameras are refused by name and fault, before anything is drawn.
+
+mod support;
+
+use scanray::{
+    Camera, CameraError, Checker, Cuboid, Fault, Fixed, Full, Light, Material, Object, Plane, Projection,
+    Rgb, Scene, SceneBuffer, SceneError, Shape, Sky, Sphere, Texture, Triangle, Vec3,
+};
+use support::{LIGHTS, MATERIALS, OBJECTS, ball, camera, scene, v};
+
+fn fault_of(shape: Shape) -> Option<Fault> {
+    let objects = [OBJECTS[0], Object::new(shape, 0)];
+    match (Scene { objects: &objects, ..scene() }).check() {
+        Err(SceneError::Object(1, fault)) => Some(fault),
+        Ok(()) => None,
+        other => panic!("{other:?} names the wrong thing"),
+    }
+}
+
+#[test]
+fn a_good_scene_passes() {
+    assert_eq!(scene().check(), Ok(()));
+    assert_eq!(Scene::<f32>::new(&[], &[], &[]).check(), Ok(()));
+}
+
+#[test]
+fn faults_of_shapes_are_told_apart() {
+    let o = v(0.0, 0.0, 0.0);
+    let sphere = |center, radius| fault_of(Shape::Sphere(Sphere::new(center, radius)));
+    assert_eq!(sphere(o, 1.0), None);
+    assert_eq!(sphere(o, 0.0), Some(Fault::RadiusNotPositive));
+    assert_eq!(sphere(o, -1.0), Some(Fault::RadiusNotPositive));
+    assert_eq!(sphere(o, f32::NAN), Some(Fault::OutOfRange));
+    assert_eq!(sphere(v(0.0, f32::INFINITY, 0.0), 1.0), Some(Fault::OutOfRange));
+    assert_eq!(sphere(v(0.0, 0.0, 1e17), 1.0), Some(Fault::OutOfRange));
+    let triangle = |b, c| fault_of(Shape::Triangle(Triangle::new(o, b, c)));
+    assert_eq!(triangle(v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)), None);
+    assert_eq!(triangle(o, v(0.0, 1.0, 0.0)), Some(Fault::Degenerate));
+    assert_eq!(triangle(v(1.0, 2.0, 3.0), v(2.0, 4.0, 6.0)), Some(Fault::Degenerate));
+    assert_eq!(triangle(v(1.0, f32::NAN, 3.0), v(2.0, 4.0, 6.0)), Some(Fault::OutOfRange));
+    let plane = |normal| fault_of(Shape::Plane(Plane::new(o, normal)));
+    assert_eq!(plane(v(0.0, 9.0, 0.0)), None);
+    assert_eq!(plane(o), Some(Fault::NoDirection));
+    let cuboid = |high| fault_of(Shape::Cuboid(Cuboid::new(o, high)));
+    assert_eq!(cuboid(v(1.0, 1.0, 0.0)), None);
+    assert_eq!(cuboid(v(1.0, -1.0, 1.0)), Some(Fault::CornersSwapped));
+    assert_eq!(cuboid(v(1.0, 0.0, 0.0)), Some(Fault::Degenerate));
+    assert_eq!(cuboid(v(f32::NAN, 1.0, 1.0)), Some(Fault::OutOfRange));
+}
+
+#[test]
+fn a_material_that_is_not_there_is_named() {
+    let objects = [ball(0.0, 0.0, 0.0, 1.0, 3)];
+    let error = Scene { objects: &objects, ..scene() }.check().unwrap_err();
+    assert_eq!(error, SceneError::Object(0, Fault::NoSuchMaterial(3)));
+    assert_eq!(error.to_string(), "object 0: it names material 3, which is not in the list");
+}
+
+#[test]
+fn faults_of_materials_lights_sky_and_ambient_light_are_named() {
+    let nan = Rgb::gray(f32::NAN);
+    let check = |scene: Scene<'_>| scene.check().unwrap_err();
+    for bad in [
+        Material::matte(nan),
+        Material::matte(Rgb::BLACK).with_specular(nan, 5),
+        Material::matte(Rgb::BLACK).with_mirror(f32::NAN),
+        Material::matte(Rgb::BLACK).with_ambient(f32::INFINITY),
+        Material::textured(Texture::Checker(Checker::new(Rgb::BLACK, nan, 1.0))),
+    ] {
+        let materials = [MATERIALS[0], MATERIALS[1], MATERIALS[2], bad];
+        let error = check(Scene { materials: &materials, ..scene() });
+        assert_eq!(error, SceneError::Material(3, Fault::OutOfRange));
+    }
+    let light = |light| check(Scene { lights: &[LIGHTS[0], light], ..scene() });
+    let o = v(0.0, 0.0, 0.0);
+    assert_eq!(light(Light::point(o, nan)), SceneError::Light(1, Fault::OutOfRange));
+    assert_eq!(light(Light::directional(o, Rgb::WHITE)), SceneError::Light(1, Fault::NoDirection));
+    let sky = |up| check(scene().with_sky(Sky::Gradient { up, nadir: Rgb::BLACK, zenith: Rgb::WHITE }));
+    assert_eq!(sky(v(0.0, 2.0, 0.0)), SceneError::Sky(Fault::NoDirection));
+    assert_eq!(check(scene().with_sky(Sky::Solid(nan))), SceneError::Sky(Fault::OutOfRange));
+    assert_eq!(check(scene().with_ambient(nan)), SceneError::Ambient(Fault::OutOfRange));
+}
+
+#[test]
+fn what_fixed_point_cannot_hold_is_refused_not_bent() {
+    let far = Sphere::new(Vec3::new(Fixed::new(1500.0), Fixed::new(0.0), Fixed::new(0.0)), Fixed::new(1.0));
+    let objects = [Object::new(Shape::Sphere(far), 0)];
+    let materials = [Material::matte(Rgb::WHITE)];
+    let scene = Scene::<Fixed>::new(&objects, &materials, &[]);
+    assert_eq!(scene.check(), Err(SceneError::Object(0, Fault::OutOfRange)));
+    // A constant beyond the range saturates to the very end, which is refused as well.
+    assert_eq!(Fixed::new(1e9), Fixed::MAX);
+}
+
+#[test]
+fn cameras_that_see_nothing_are_refused() {
+    let frame = |camera: Camera| camera.frame(40, 30).err();
+    let good = camera();
+    assert_eq!(frame(good), None);
+    assert_eq!(frame(Camera { center: good.eye, ..good }), Some(CameraError::NoDirection));
+    assert_eq!(frame(Camera { up: good.eye - good.center, ..good }), Some(CameraError::NoDirection));
+    assert_eq!(frame(Camera { eye: v(f32::NAN, 0.0, 0.0), ..good }), Some(CameraError::OutOfRange));
+    for fovy in [0.0, -10.0, 180.0] {
+        let projection = Projection::Perspective { fovy };
+        assert_eq!(frame(Camera { projection, ..good }), Some(CameraError::NoWindow), "{fovy} degrees");
+    }
+    let projection = Projection::Frustum { left: -1.0, right: 1.0, bottom: 1.0, top: 1.0 };
+    assert_eq!(frame(Camera { projection, near: 1.0, ..good }), Some(CameraError::NoWindow));
+    assert_eq!(frame(Camera { projection, near: 0.0, ..good }), Some(CameraError::NoDepth));
+    assert_eq!(frame(good.with_clip(-1.0, 5.0)), Some(CameraError::NoDepth));
+    assert_eq!(frame(good.with_clip(5.0, 5.0)), Some(CameraError::NoDepth));
+    for (columns, rows) in [(0, 30), (40, 0), (40_000, 30)] {
+        assert_eq!(good.frame(columns, rows).err(), Some(CameraError::BadSize));
+    }
+}
+
+#[test]
+fn a_full_buffer_says_so_and_keeps_what_it_has() {
+    let mut buffer = SceneBuffer::<f32, 1, 1, 1>::new();
+    assert_eq!(buffer.add_material(MATERIALS[0]), Ok(0));
+    assert_eq!(buffer.add_material(MATERIALS[1]), Err(Full::Materials(1)));
+    assert_eq!(buffer.add_object(OBJECTS[1].shape, 0), Ok(()));
+    assert_eq!(buffer.add_object(OBJECTS[2].shape, 0), Err(Full::Objects(1)));
+    assert_eq!(buffer.add_light(LIGHTS[0]), Ok(()));
+    assert_eq!(buffer.add_light(LIGHTS[1]), Err(Full::Lights(1)));
+    let kept = buffer.scene();
+    assert_eq!((kept.objects.len(), kept.materials, kept.lights), (1, &MATERIALS[..1], &LIGHTS[..1]));
+}

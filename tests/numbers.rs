@@ -1,0 +1,211 @@
+//! The number types keep the error bounds their documentation states, on both sides.
+
+use scanray::math::{FixedWide, Scalar, Wide, tan_half};
+use scanray::{Fixed, Vec3};
+
+const STEP: f64 = 1.0 / 1_048_576.0;
+
+/// Runs over values and demands that the worst error reaches the bound's neighbourhood but never
+/// passes it: a bound twenty times too wide fails as well.
+fn worst_error(bound: f64, errors: impl Iterator<Item = f64>) {
+    let worst = errors.fold(0.0, |worst: f64, error| {
+        assert!(error.is_finite());
+        worst.max(error.abs())
+    });
+    assert!(worst <= bound, "worst error {worst:e} passes the bound {bound:e}");
+    assert!(worst >= bound / 20.0, "worst error {worst:e}: the bound {bound:e} says too little");
+}
+
+/// Positive floats of every magnitude from 2^-120 to 2^120, 4096 to a doubling.
+fn floats() -> impl Iterator<Item = f32> {
+    (7_u32..247).flat_map(|e| (0..1 << 23).step_by(2039).map(move |m| f32::from_bits(e << 23 | m)))
+}
+
+/// Fixed-point values from one step to the end of the range, ever coarser.
+fn steps() -> impl Iterator<Item = Fixed> {
+    (0..31_u32)
+        .flat_map(|bits| (0..512_u64).map(move |m| (1_u64 << bits) + ((m << bits) >> 9)))
+        .map(|steps| Fixed::new(steps as f64 * STEP))
+}
+
+fn wide(value: Fixed) -> FixedWide {
+    value.mul_wide(Fixed::ONE)
+}
+
+#[test]
+fn the_root_of_a_float_is_right_on_both_sides() {
+    worst_error(
+        4e-7,
+        floats().map(|x| {
+            let exact = f64::from(x).sqrt();
+            (f64::from(<f32 as Scalar>::sqrt(x)) - exact) / exact
+        }),
+    );
+}
+
+#[test]
+fn the_root_of_a_double_is_right_on_both_sides() {
+    worst_error(
+        1e-15,
+        floats().map(|x| {
+            let exact = f64::from(x).sqrt();
+            (<f64 as Scalar>::sqrt(f64::from(x)) - exact) / exact
+        }),
+    );
+}
+
+#[test]
+fn roots_of_what_has_none_are_zero() {
+    for x in [0.0, -0.0, -1.0, f32::NAN, f32::NEG_INFINITY, 1e-40] {
+        assert_eq!(<f32 as Scalar>::sqrt(x), 0.0, "sqrt({x})");
+        assert_eq!(<f64 as Scalar>::sqrt(f64::from(x).min(0.0)), 0.0);
+    }
+    assert_eq!(<f32 as Scalar>::sqrt(f32::INFINITY), f32::INFINITY);
+    assert_eq!(Fixed::sqrt(wide(Fixed::new(-2.0))), Fixed::ZERO);
+}
+
+#[test]
+fn the_root_of_a_fixed_point_number_is_right_to_a_step() {
+    worst_error(STEP + 2048.0 * 4e-9, steps().map(|x| Fixed::sqrt(x.mul_wide(x)).to_f64() - x.to_f64()));
+    worst_error(STEP, steps().map(|x| Fixed::sqrt(wide(x)).to_f64() - x.to_f64().sqrt()));
+}
+
+#[test]
+fn fixed_point_division_is_right_to_a_step() {
+    let pairs = steps().step_by(7).flat_map(|n| steps().step_by(41).map(move |d| (n, d)));
+    worst_error(
+        STEP,
+        pairs.filter(|(n, d)| n.to_f64() / d.to_f64() < 2047.0).map(|(n, d)| {
+            let negative = Fixed::div(wide(-n), wide(d));
+            let positive = Fixed::div(wide(n), wide(d));
+            assert_eq!(-negative, positive);
+            positive.to_f64() - n.to_f64() / d.to_f64()
+        }),
+    );
+}
+
+#[test]
+fn reciprocals_are_right_to_a_step() {
+    let usable = steps().filter(|x| x.to_f64() > 1.0 / 2047.0);
+    worst_error(STEP, usable.map(|x| x.recip().to_f64() - 1.0 / x.to_f64()));
+    assert_eq!(Fixed::new(-4.0).recip(), Fixed::new(-0.25));
+    assert_eq!(Fixed::ZERO.recip(), Fixed::MAX);
+}
+
+#[test]
+fn fixed_point_products_are_right_to_a_step_and_saturate() {
+    let pairs = steps().step_by(13).flat_map(|a| steps().step_by(29).map(move |b| (a, b)));
+    worst_error(
+        STEP,
+        pairs
+            .filter(|(a, b)| a.to_f64() * b.to_f64() < 2047.0)
+            .map(|(a, b)| (a * b).to_f64() - a.to_f64() * b.to_f64()),
+    );
+    let large = Fixed::new(1500.0);
+    assert_eq!(large * large, Fixed::MAX);
+    assert_eq!(large * -large, Fixed::MIN);
+    assert_eq!(large + large, Fixed::MAX);
+    assert_eq!(-large - large, Fixed::MIN);
+    assert_eq!(-Fixed::MIN, Fixed::MAX);
+}
+
+#[test]
+fn sums_of_wide_products_saturate_instead_of_wrapping() {
+    let corner = Vec3::new(Fixed::MAX, Fixed::MAX, Fixed::MAX);
+    assert_eq!(corner.dot(corner), Fixed::MAX);
+    assert_eq!(corner.dot(-corner), Fixed::MIN);
+    assert!(corner.dot_wide(corner) > FixedWide::ZERO);
+}
+
+#[test]
+fn wide_fractions_of_fixed_point_numbers_are_exact() {
+    let third = wide(Fixed::ONE).scale(1, 3);
+    assert!((Fixed::narrow(third).to_f64() - 1.0 / 3.0).abs() <= STEP / 2.0);
+    assert_eq!(Fixed::narrow(third + third + third), Fixed::ONE);
+}
+
+fn directions() -> impl Iterator<Item = [f64; 3]> {
+    let axis = || (-7..=7).map(|i| f64::from(i) * 0.137 + 0.0113);
+    axis().flat_map(move |x| axis().flat_map(move |y| axis().map(move |z| [x, y, z])))
+}
+
+fn unit_error<S: Scalar>(v: [f64; 3], make: fn(f64) -> S, read: fn(S) -> f64) -> f64 {
+    let made = v.map(make);
+    let back = made.map(read);
+    let length = back.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let (unit, measured) = S::normalize(made).expect("none of the vectors is zero");
+    let relative = (read(measured) - length).abs() / length.max(1.0);
+    let components = unit.into_iter().zip(back).map(|(u, c)| (read(u) - c / length).abs());
+    components.fold(relative, f64::max)
+}
+
+#[test]
+fn unit_vectors_are_right_on_both_sides_from_short_to_long() {
+    let scaled = |scale: f64| directions().map(move |v| v.map(|c| c * scale));
+    for scale in [1e-3, 1.0, 600.0] {
+        worst_error(2.0 * STEP, scaled(scale).map(|v| unit_error(v, Fixed::new, Fixed::to_f64)));
+    }
+    for scale in [1e-9, 1.0, 1e9] {
+        worst_error(4e-7, scaled(scale).map(|v| unit_error(v, |c| c as f32, f64::from)));
+        worst_error(1e-15, scaled(scale).map(|v| unit_error(v, |c| c, |c| c)));
+    }
+}
+
+#[test]
+fn a_vector_of_no_length_has_no_direction() {
+    assert!(Vec3::new(0.0_f32, 0.0, 0.0).normalize().is_none());
+    assert!(Vec3::new(f32::NAN, 0.0, 0.0).normalize().is_none());
+    assert!(Vec3::<Fixed>::ZERO.normalize().is_none());
+    assert!(Vec3::new(Fixed::MIN, Fixed::MIN, Fixed::MIN).normalize().is_some());
+}
+
+#[test]
+fn powers_of_cosines_are_right() {
+    let bases = || (0..=1000).map(|i| f64::from(i) / 1000.0);
+    for exponent in [0_u16, 1, 2, 10, 32, 142, 1000] {
+        let exact = |x: f64| x.powi(i32::from(exponent));
+        for x in bases() {
+            let float = (x as f32).pow_unit(exponent);
+            let bound = f64::from(exponent) * 6e-8 + 1e-7;
+            let value = exact(f64::from(x as f32));
+            assert!((f64::from(float) - value).abs() <= bound * value + 1e-30, "{x}^{exponent}");
+            let base = Fixed::new(x);
+            let fixed = base.pow_unit(exponent).to_f64() - exact(base.to_f64());
+            assert!(fixed.abs() <= 2.0 * STEP, "{x}^{exponent}: off by {} steps", fixed / STEP);
+        }
+    }
+    assert_eq!(Fixed::new(-0.5).pow_unit(2), Fixed::ZERO);
+    assert_eq!(Fixed::new(3.0).pow_unit(2), Fixed::ONE);
+}
+
+#[test]
+fn tangents_of_half_angles_are_right() {
+    let angles = || (1..=1200).map(|i| f64::from(i) / 10.0);
+    let exact = |degrees: f64| (degrees.to_radians() / 2.0).tan();
+    worst_error(1e-6, angles().map(|a| f64::from(tan_half(a as f32)) / exact(f64::from(a as f32)) - 1.0));
+    worst_error(2e-15, angles().map(|a| tan_half(a) / exact(a) - 1.0));
+    let fixed = |a: f64| tan_half(Fixed::new(a)).to_f64() - exact(Fixed::new(a).to_f64());
+    worst_error(1e-5, angles().map(fixed));
+}
+
+#[test]
+fn floors_go_down_on_both_sides_of_zero() {
+    for (x, floor) in [(1.5, 1), (-1.5, -2), (-1.0, -1), (0.0, 0), (-0.001, -1)] {
+        assert_eq!(Scalar::floor(x as f32), floor);
+        assert_eq!(Scalar::floor(x), floor);
+        assert_eq!(Scalar::floor(Fixed::new(x)), floor);
+    }
+    assert_eq!(Scalar::floor(-1e30_f32), i32::MIN);
+    assert_eq!(Scalar::floor(f32::NAN), 0);
+}
+
+#[test]
+fn light_of_all_numbers_becomes_the_same_integers() {
+    for light in [0.0, 0.25, 0.5, 0.999, 1.0, 7.0, -3.0] {
+        let bits = light.light_bits();
+        assert!((light as f32).light_bits().abs_diff(bits) <= 1);
+        assert!(Fixed::new(light).light_bits().abs_diff(bits) <= 16);
+    }
+    assert_eq!(1.0_f64.light_bits(), 1 << 24);
+    assert_eq!(f32::NAN.light_bits(), 0);
+}

@@ -1,0 +1,246 @@
+//! Shapes give the known answers, in every number.
+
+use scanray::hit::Crossing;
+use scanray::math::Scalar;
+use scanray::ray::{Interval, Ray};
+use scanray::{Cuboid, Fixed, Intersect, Plane, Sphere, Triangle, Vec3};
+
+/// Runs the same checks in every number.
+macro_rules! in_every_number {
+    ($($name:ident),+ $(,)?) => {
+        $(#[test]
+        fn $name() {
+            checks::$name(|x| x as f32, f64::from);
+            checks::$name(Fixed::new, Fixed::to_f64);
+            checks::$name(|x| x, |x| x);
+        })+
+    };
+}
+
+in_every_number! {
+    a_ray_at_a_ball_hits_its_near_side,
+    from_inside_a_ball_the_far_side_is_hit,
+    a_ball_behind_is_not_hit,
+    a_grazing_ray_just_inside_hits_and_just_outside_misses,
+    a_clipped_near_side_shows_the_far_side,
+    a_ray_that_leaves_a_ball_meets_it_again_only_inward,
+    a_large_ball_has_its_points_on_its_surface,
+    a_ray_along_a_face_of_a_box_counts_as_inside,
+    each_face_of_a_box_is_named_and_faces_outward,
+    from_inside_a_box_the_way_out_is_found,
+    a_box_without_height_is_a_rectangle,
+    a_triangle_is_hit_inside_its_edges_and_from_both_sides,
+    a_large_triangle_does_not_overflow,
+    a_plane_is_hit_once_and_never_again,
+}
+
+mod checks {
+    use super::*;
+
+    /// Makes vectors and rays of plain numbers.
+    struct Kit<S>(fn(f64) -> S, fn(S) -> f64);
+
+    impl<S: Scalar> Kit<S> {
+        fn v(&self, x: f64, y: f64, z: f64) -> Vec3<S> {
+            Vec3::new((self.0)(x), (self.0)(y), (self.0)(z))
+        }
+
+        fn ray(&self, origin: [f64; 3], toward: [f64; 3]) -> Ray<S> {
+            let [x, y, z] = toward;
+            let (direction, _) = self.v(x, y, z).normalize().expect("a direction");
+            let [x, y, z] = origin;
+            Ray::new(self.v(x, y, z), direction)
+        }
+
+        fn t(&self, hit: Option<Crossing<S>>) -> Option<f64> {
+            hit.map(|hit| (self.1)(hit.t))
+        }
+
+        fn assert_near(&self, value: Option<f64>, expected: f64) {
+            let value = value.expect("a hit");
+            assert!((value - expected).abs() < 1e-4, "{value} instead of {expected}");
+        }
+    }
+
+    fn ahead<S: Scalar>() -> Interval<S> {
+        Interval::AHEAD
+    }
+
+    pub fn a_ray_at_a_ball_hits_its_near_side<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, -5.0), make(2.0));
+        let ray = kit.ray([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
+        let hit = ball.intersect(&ray, &ahead());
+        kit.assert_near(kit.t(hit), 3.0);
+        let surface = ball.surface(&ray, &hit.expect("a hit"));
+        assert!((read(surface.normal.z) - 1.0).abs() < 1e-5);
+    }
+
+    pub fn from_inside_a_ball_the_far_side_is_hit<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, -1.0), make(4.0));
+        let ray = kit.ray([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
+        kit.assert_near(kit.t(ball.intersect(&ray, &ahead())), 5.0);
+    }
+
+    pub fn a_ball_behind_is_not_hit<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, 5.0), make(2.0));
+        let ray = kit.ray([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
+        assert!(ball.intersect(&ray, &ahead()).is_none());
+    }
+
+    pub fn a_grazing_ray_just_inside_hits_and_just_outside_misses<S: Scalar>(
+        make: fn(f64) -> S,
+        read: fn(S) -> f64,
+    ) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, -10.0), make(2.0));
+        let at = |height: f64| {
+            let ray = kit.ray([0.0, height, 0.0], [0.0, 0.0, -1.0]);
+            ball.intersect(&ray, &ahead()).is_some()
+        };
+        assert!(at(1.9999));
+        assert!(!at(2.0001));
+    }
+
+    pub fn a_clipped_near_side_shows_the_far_side<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, -5.0), make(2.0));
+        let ray = kit.ray([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
+        let clipped = |near, far| kit.t(ball.intersect(&ray, &Interval::new(make(near), make(far))));
+        kit.assert_near(clipped(4.0, 100.0), 7.0);
+        assert_eq!(clipped(4.0, 6.5), None);
+    }
+
+    pub fn a_ray_that_leaves_a_ball_meets_it_again_only_inward<S: Scalar>(
+        make: fn(f64) -> S,
+        read: fn(S) -> f64,
+    ) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, 0.0), make(1.0));
+        let leaving = |toward| ball.intersect_leaving(&kit.ray([0.0, 0.0, 1.0], toward), &ahead());
+        kit.assert_near(kit.t(leaving([0.0, 0.0, -1.0])), 2.0);
+        assert!(leaving([0.0, 0.0, 1.0]).is_none());
+        assert!(leaving([0.9, 0.0, 0.1]).is_none());
+    }
+
+    pub fn a_large_ball_has_its_points_on_its_surface<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, -1000.0, 2.0), make(999.0));
+        for x in -20..20 {
+            let ray = kit.ray([0.0, 6.0, -17.0], [f64::from(x) * 0.02, -0.3, 1.0]);
+            let hit = ball.intersect(&ray, &ahead()).expect("the ground is everywhere");
+            let point = ball.surface(&ray, &hit).point.to_array().map(read);
+            let [x, y, z] = [point[0], point[1] + 1000.0, point[2] - 2.0];
+            let off = (x * x + y * y + z * z).sqrt() - 999.0;
+            // A step of f32 at 1000 is 6e-5; fixed point comes within a few of its 1e-6.
+            assert!(off.abs() < 2e-4, "off by {off}");
+        }
+    }
+
+    fn cube<S: Scalar>(kit: &Kit<S>) -> Cuboid<S> {
+        Cuboid::new(kit.v(-1.0, -2.0, -3.0), kit.v(1.0, 2.0, 3.0))
+    }
+
+    pub fn a_ray_along_a_face_of_a_box_counts_as_inside<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let along = |x: f64| {
+            let ray = kit.ray([x, 0.0, 10.0], [0.0, 0.0, -1.0]);
+            kit.t(cube(&kit).intersect(&ray, &ahead()))
+        };
+        kit.assert_near(along(1.0), 7.0);
+        kit.assert_near(along(-1.0), 7.0);
+        assert_eq!(along(1.001), None);
+    }
+
+    pub fn each_face_of_a_box_is_named_and_faces_outward<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let from = [
+            [-9.0, 0.0, 0.0],
+            [9.0, 0.0, 0.0],
+            [0.0, -9.0, 0.0],
+            [0.0, 9.0, 0.0],
+            [0.0, 0.0, -9.0],
+            [0.0, 0.0, 9.0],
+        ];
+        for (face, origin) in from.into_iter().enumerate() {
+            let ray = kit.ray(origin, origin.map(|c| -c));
+            let hit = cube(&kit).intersect(&ray, &ahead()).expect("a hit");
+            assert_eq!(usize::from(hit.part), face);
+            let surface = cube(&kit).surface(&ray, &hit);
+            assert!(read(surface.normal.dot(ray.direction)) < -0.999);
+            assert!((read(surface.u) - 0.5).abs() < 1e-5 && (read(surface.v) - 0.5).abs() < 1e-5);
+        }
+    }
+
+    pub fn from_inside_a_box_the_way_out_is_found<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let out = kit.ray([0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+        kit.assert_near(kit.t(cube(&kit).intersect(&out, &ahead())), 2.0);
+        let across = kit.ray([0.0, -2.0, 0.0], [0.0, 1.0, 0.0]);
+        kit.assert_near(kit.t(cube(&kit).intersect_leaving(&across, &ahead())), 4.0);
+        let away = kit.ray([0.0, 2.0, 0.0], [0.3, 1.0, 0.0]);
+        assert!(cube(&kit).intersect_leaving(&away, &ahead()).is_none());
+    }
+
+    pub fn a_box_without_height_is_a_rectangle<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let floor = Cuboid::new(kit.v(-1.0, 0.0, -1.0), kit.v(1.0, 0.0, 1.0));
+        assert!(floor.check().is_ok());
+        for height in [2.0, -2.0] {
+            let ray = kit.ray([0.5, height, 0.5], [0.0, -height, 0.0]);
+            kit.assert_near(kit.t(floor.intersect(&ray, &ahead())), 2.0);
+            let beside = kit.ray([1.5, height, 0.5], [0.0, -height, 0.0]);
+            assert!(floor.intersect(&beside, &ahead()).is_none());
+        }
+        let up = kit.ray([0.5, 0.0, 0.5], [0.2, 1.0, 0.0]);
+        assert!(floor.intersect_leaving(&up, &ahead()).is_none());
+    }
+
+    pub fn a_triangle_is_hit_inside_its_edges_and_from_both_sides<S: Scalar>(
+        make: fn(f64) -> S,
+        read: fn(S) -> f64,
+    ) {
+        let kit = Kit(make, read);
+        let triangle = Triangle::new(kit.v(0.0, 0.0, 0.0), kit.v(4.0, 0.0, 0.0), kit.v(0.0, 4.0, 0.0));
+        for side in [5.0, -5.0] {
+            let at = |x, y| triangle.intersect(&kit.ray([x, y, side], [0.0, 0.0, -side]), &ahead());
+            let hit = at(1.0, 2.0);
+            kit.assert_near(kit.t(hit), 5.0);
+            let hit = hit.expect("a hit");
+            kit.assert_near(Some(read(hit.u)), 0.25);
+            kit.assert_near(Some(read(hit.v)), 0.5);
+            for (x, y) in [(-0.01, 1.0), (1.0, -0.01), (2.01, 2.01)] {
+                assert!(at(x, y).is_none(), "hit outside at {x}, {y}");
+            }
+        }
+        let beside = kit.ray([0.0, 0.0, 1.0], [1.0, 1.0, 0.0]);
+        assert!(triangle.intersect(&beside, &ahead()).is_none());
+    }
+
+    pub fn a_large_triangle_does_not_overflow<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let triangle =
+            Triangle::new(kit.v(-500.0, 0.0, -500.0), kit.v(500.0, 0.0, -500.0), kit.v(0.0, 0.0, 500.0));
+        assert!(triangle.check().is_ok());
+        let ray = kit.ray([10.0, 300.0, -20.0], [0.0, -1.0, 0.0]);
+        kit.assert_near(kit.t(triangle.intersect(&ray, &ahead())), 300.0);
+    }
+
+    pub fn a_plane_is_hit_once_and_never_again<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let plane = Plane::new(kit.v(0.0, -2.0, 0.0), kit.v(0.0, 7.0, 0.0));
+        let down = kit.ray([3.0, 1.0, 4.0], [0.0, -1.0, 0.0]);
+        let hit = plane.intersect(&down, &ahead());
+        kit.assert_near(kit.t(hit), 3.0);
+        let surface = plane.surface(&down, &hit.expect("a hit"));
+        kit.assert_near(Some(read(surface.u)), 3.0);
+        kit.assert_near(Some(read(surface.v)), 4.0);
+        assert!((read(surface.normal.y) - 1.0).abs() < 1e-5);
+        let along = kit.ray([0.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        assert!(plane.intersect(&along, &ahead()).is_none());
+        assert!(plane.intersect(&kit.ray([0.0, 0.0, 0.0], [0.0, 1.0, 0.0]), &ahead()).is_none());
+        assert!(plane.intersect_leaving(&down, &ahead()).is_none());
+    }
+}
