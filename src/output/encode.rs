@@ -29,7 +29,7 @@ impl Quantizer {
 /// Is a colour a panel understands.
 pub trait Encode: Copy {
     /// Is the darkest colour.
-    const BLACK: Self;
+    const DARKEST: Self;
 
     /// Makes the colour of three 24-bit lights: red, green, blue.
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self;
@@ -42,14 +42,14 @@ pub trait Encode: Copy {
 
 /// Answers the luminance of three 24-bit lights (Rec. 709 weights 0.2126, 0.7152, 0.0722).
 fn luminance([r, g, b]: [u32; 3]) -> u32 {
-    // 12-bit weights and 20-bit lights keep the sum in 32 bits; they add up to 4096.
-    ((r >> 4) * 871 + (g >> 4) * 2929 + (b >> 4) * 296) >> 8
+    // The weights add up to 2^12 and the lights are cut to 2^19, so that white fits 32 bits.
+    ((r >> 5) * 871 + (g >> 5) * 2929 + (b >> 5) * 296) >> 7
 }
 
 macro_rules! encode_rgb {
     ($color:ty, $red:expr, $green:expr, $blue:expr) => {
         impl Encode for $color {
-            const BLACK: Self = <$color>::new(0, 0, 0);
+            const DARKEST: Self = <$color>::new(0, 0, 0);
 
             fn encode([r, g, b]: [u32; 3], quantizer: Quantizer) -> Self {
                 <$color>::new(quantizer.level(r, $red), quantizer.level(g, $green), quantizer.level(b, $blue))
@@ -63,7 +63,7 @@ encode_rgb!(Rgb666, Rgb666::MAX_R, Rgb666::MAX_G, Rgb666::MAX_B);
 encode_rgb!(Rgb888, Rgb888::MAX_R, Rgb888::MAX_G, Rgb888::MAX_B);
 
 impl Encode for Gray8 {
-    const BLACK: Self = Gray8::new(0);
+    const DARKEST: Self = Gray8::new(0);
 
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
         Gray8::new(quantizer.level(luminance(light), 255))
@@ -71,7 +71,7 @@ impl Encode for Gray8 {
 }
 
 impl Encode for Gray4 {
-    const BLACK: Self = Gray4::new(0);
+    const DARKEST: Self = Gray4::new(0);
 
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
         Gray4::new(quantizer.level(luminance(light), 15))
@@ -79,7 +79,7 @@ impl Encode for Gray4 {
 }
 
 impl Encode for BinaryColor {
-    const BLACK: Self = BinaryColor::Off;
+    const DARKEST: Self = BinaryColor::Off;
 
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
         if quantizer.level(luminance(light), 1) == 1 { BinaryColor::On } else { BinaryColor::Off }
@@ -88,7 +88,7 @@ impl Encode for BinaryColor {
 
 /// Is an [`Rgb565`] as most panels take it over the bus: the high byte first.
 impl Encode for [u8; 2] {
-    const BLACK: Self = [0, 0];
+    const DARKEST: Self = [0, 0];
 
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
         Rgb565::encode(light, quantizer).into_storage().to_be_bytes()

@@ -39,7 +39,7 @@ impl<S: Scalar, C: Encode, const WIDTH: usize, const DEPTH: usize> Workspace<S, 
     /// Makes a workspace; at compile time for a `static`.
     pub const fn new() -> Self {
         let scratch = Scratch { waiting: Vec::new(), candidates: Candidates::new() };
-        Self { scanline: [C::BLACK; WIDTH], scratch }
+        Self { scanline: [C::DARKEST; WIDTH], scratch }
     }
 }
 
