@@ -72,7 +72,7 @@ fn window<S: Scalar>(camera: &Camera<S>, [columns, rows]: [i32; 2]) -> Result<Wi
             Ok(centered(half + half))
         }
         Projection::Frustum { left, right, bottom, top } => {
-            if !(camera.near > S::ZERO) {
+            if camera.near <= S::ZERO {
                 return Err(CameraError::NoDepth);
             }
             let at_depth_one = |edge: S| S::div(edge.mul_wide(S::ONE), camera.near.mul_wide(S::ONE));
