@@ -54,6 +54,11 @@ pub struct Frame<S: Scalar> {
 /// Is a window at depth 1 (perspective) or at the eye (parallel): left, right, bottom, top.
 type Window<S> = [S; 4];
 
+/// Makes a row's or column's number one whose double fits.
+fn index(n: u32) -> i32 {
+    n.min(i16::MAX as u32) as i32
+}
+
 fn times<S: Scalar>(value: S, numerator: i32, denominator: i32) -> S {
     S::narrow(value.mul_wide(S::ONE).scale(numerator, denominator))
 }
@@ -138,10 +143,16 @@ impl<S: Scalar> Camera<S> {
 
 impl<S: Scalar> Frame<S> {
     /// Answers the rays of row `y`, counted from the top, beginning with column `x`.
+    ///
+    /// Rows and columns beyond the picture follow on; those beyond 32767 are taken as that.
     pub fn row(&self, y: u32, x: u32) -> Row<'_, S> {
+        Row::new(self, self.row_start(y), index(x))
+    }
+
+    /// Answers the left end of the middle of a row, from the eye.
+    fn row_start(&self, y: u32) -> WideVec3<S> {
         let [_, rows] = self.size;
-        let start = self.corner + self.down.scale(2 * y as i32 + 1, 2 * rows);
-        Row::new(self, start, x as i32)
+        self.corner + self.down.scale(2 * index(y) + 1, 2 * rows)
     }
 
     pub(super) fn step(&self) -> WideVec3<S> {
@@ -150,19 +161,17 @@ impl<S: Scalar> Frame<S> {
 
     /// Answers what the middle of column `x` adds to the start of a row.
     pub(super) fn column(&self, x: i32) -> WideVec3<S> {
-        self.right.scale(2 * x + 1, 2 * self.size[0])
+        self.right.scale(x.saturating_mul(2).saturating_add(1), 2 * self.size[0])
     }
 
     /// Answers a unit vector across the plane in which all rays of a row lie; `None` if the row's
     /// rays span no plane.
     pub fn row_normal(&self, y: u32) -> Option<Vec3<S>> {
-        let [columns, rows] = self.size;
         let along = self.right.narrow().normalize()?.0;
         let toward = if self.parallel {
             self.forward
         } else {
-            let start = self.corner + self.down.scale(2 * y as i32 + 1, 2 * rows);
-            (start + self.right.scale(columns, 2 * columns)).narrow().normalize()?.0
+            (self.row_start(y) + self.right.scale(1, 2)).narrow().normalize()?.0
         };
         Some(toward.cross(along).normalize()?.0)
     }
@@ -170,8 +179,7 @@ impl<S: Scalar> Frame<S> {
     /// Answers a point of the plane in which all rays of a row lie.
     pub fn row_point(&self, y: u32) -> Vec3<S> {
         if self.parallel {
-            let [_, rows] = self.size;
-            self.eye + (self.corner + self.down.scale(2 * y as i32 + 1, 2 * rows)).narrow()
+            self.eye + self.row_start(y).narrow()
         } else {
             self.eye
         }

@@ -28,7 +28,7 @@ impl<'a, 'w, S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'a, 'w, S
 where
     S: Scalar,
     C: Encode,
-    X: Intersect<S> + Copy,
+    X: Intersect<S>,
 {
     /// Makes a renderer for pictures of one size.
     ///
@@ -95,7 +95,7 @@ impl<S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'_, '_, S, C, WID
 where
     S: Scalar,
     C: Encode + PixelColor,
-    X: Intersect<S> + Copy,
+    X: Intersect<S>,
 {
     /// Draws the picture at the upper left corner of a display, one `fill_contiguous` a row.
     ///

@@ -34,7 +34,7 @@ impl<S, X> Object<S, X> {
 ///
 /// The same scene from flash and from a [`SceneBuffer`] draws the same picture. The order of the
 /// objects does not matter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Scene<'a, S = f32, X = Infallible> {
     /// Shapes with their materials.
     pub objects: &'a [Object<S, X>],
@@ -47,6 +47,15 @@ pub struct Scene<'a, S = f32, X = Infallible> {
     /// Light that reaches every surface from everywhere.
     pub ambient: Rgb<S>,
 }
+
+// Derived, these would ask the user's shape to be `Copy`, though the scene only borrows it.
+impl<S: Copy, X> Clone for Scene<'_, S, X> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Copy, X> Copy for Scene<'_, S, X> {}
 
 impl<'a, S: Scalar, X> Scene<'a, S, X> {
     /// Makes a scene with a black sky and no ambient light.
