@@ -92,3 +92,8 @@ pub use render::{RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Fault, Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{Cuboid, Intersect, Plane, Shape, Sphere, Triangle};
 pub use texture::{Checker, Texture};
+
+/// Runs the README's example as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,4 +1,14 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
 
+pub mod canvas;
+pub mod cli;
+pub mod compare;
+pub mod memory;
 pub mod panel;
 pub mod picture;
+pub mod png;
+pub mod reference;
+pub mod scenes;
+pub mod shot;
+pub mod show;
+pub mod terminal;

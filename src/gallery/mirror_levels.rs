@@ -2,7 +2,7 @@
 
 super::in_every_number! {
     static OBJECTS: [Object<S>; 6] = [
-        Object::new(Shape::Plane(Plane::new(v(0.0, 0.0, 0.0), v(0.0, 1.0, 0.0))), 0),
+        Object::new(Shape::Cuboid(Cuboid::new(v(-4.0, 0.0, -5.0), v(4.0, 0.0, 3.0))), 0),
         Object::new(Shape::Cuboid(Cuboid::new(v(-3.0, 0.1, -4.3), v(3.4, 2.6, -4.1))), 1),
         Object::new(Shape::Cuboid(Cuboid::new(v(-3.0, 0.1, 1.4), v(3.4, 2.6, 1.6))), 1),
         Object::new(Shape::Sphere(Sphere::new(v(0.2, 0.8, -1.4), n(0.8))), 2),
@@ -10,7 +10,7 @@ super::in_every_number! {
         Object::new(Shape::Sphere(Sphere::new(v(1.7, 0.45, -2.6), n(0.45))), 4),
     ];
     static MATERIALS: [Material<S>; 5] = [
-        Material::textured(Texture::Checker(Checker::new(gray(0.75), rgb(0.2, 0.25, 0.35), n(1.0)))),
+        Material::textured(Texture::Checker(Checker::new(gray(0.75), rgb(0.2, 0.25, 0.35), n(8.0)))),
         Material::matte(gray(0.05)).with_mirror(n(0.85)),
         Material::matte(gray(0.15)).with_specular(gray(0.6), 60).with_mirror(n(0.7)),
         Material::matte(rgb(0.85, 0.15, 0.1)).with_specular(gray(0.5), 40),

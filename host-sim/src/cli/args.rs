@@ -1,0 +1,207 @@
+use super::Error;
+use crate::panel::Panel;
+use crate::picture::MAX_DEPTH;
+use crate::scenes;
+use crate::shot::{Number, Shot};
+use clap::builder::PossibleValue;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use scanray::Transfer;
+use std::path::PathBuf;
+
+/// Is the longest side of a picture the command takes: no display of the field is larger.
+const MAX_SIDE: u32 = 4096;
+
+/// Is the command line.
+#[derive(Debug, Parser)]
+#[command(
+    name = "scanray",
+    version,
+    about = "Draws the pictures of a ray tracer for microcontroller displays on a desktop",
+    after_help = "Without a command it does what `scanray render` does.\n\n\
+        Examples:\n  \
+        scanray                                     draw the scene `simple` into simple.png\n  \
+        scanray list                                see which scenes there are\n  \
+        scanray render c-ray --panel mono           draw a scene as a black and white panel shows it\n  \
+        scanray show three-spheres                  walk around a scene in a window\n  \
+        scanray compare --all                       judge every number by the reference"
+)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// Is what the command line asks for.
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Draw a scene, show it, write it to a PNG file and tell what it took
+    Render(RenderArgs),
+    /// Walk around a scene in a window; H in the window names the keys
+    Show(ShowArgs),
+    /// Judge the core's numbers by the f64 reference
+    Compare(CompareArgs),
+    /// Name the scenes of the gallery
+    List,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray render\n  \
+    scanray render c-ray --number fixed --size 160x120 -o small.png\n  \
+    scanray render mirror-levels --depth 4 --panel gray4")]
+pub(super) struct RenderArgs {
+    #[command(flatten)]
+    pub look: Look,
+    /// File to write the picture to [default: SCENE.png in the current directory]
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+    /// Show the picture in the terminal even where a window could be opened
+    #[arg(long)]
+    pub no_window: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray show\n  \
+    scanray show orthographic --panel gray4\n\n\
+    Drag or arrow keys orbit, the wheel or + and - zoom, H names all other keys, Esc closes.")]
+pub(super) struct ShowArgs {
+    #[command(flatten)]
+    pub look: Look,
+    /// Close the window by itself after this many frames
+    #[arg(long, hide = true, value_name = "N")]
+    pub frames: Option<u64>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray compare simple\n  \
+    scanray compare --all --panel rgb565\n  \
+    scanray compare --all --json\n  \
+    scanray compare c-ray --number fixed -o pictures")]
+pub(super) struct CompareArgs {
+    /// Scene to compare
+    #[arg(value_name = "SCENE", conflicts_with = "all")]
+    pub scene: Option<String>,
+    /// Compare every scene of the gallery
+    #[arg(long)]
+    pub all: bool,
+    /// Judge this number only: f32, fixed or exact [default: all three]
+    #[arg(long, value_parser = judged)]
+    pub number: Option<Number>,
+    /// Colour format in which pixels are compared
+    #[arg(long, default_value = "rgb888")]
+    pub panel: Panel,
+    /// Columns and rows, such as 160x120 [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// Print the figures as JSON and nothing else; pictures are then written with -o only
+    #[arg(long)]
+    pub json: bool,
+    /// Directory for NAME-compare.png, pictures side by side over their differences
+    /// [default: for a single scene the current one, for --all none]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// Is what a picture is to look like.
+#[derive(Debug, Args)]
+pub(super) struct Look {
+    /// Scene of the gallery; `scanray list` names them
+    #[arg(value_name = "SCENE", default_value = "simple")]
+    pub scene: String,
+    /// Number the picture is traced in
+    #[arg(long, default_value = "f32")]
+    pub number: Number,
+    /// Columns and rows, such as 160x120 [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// Colour format of the display
+    #[arg(long, default_value = "rgb565")]
+    pub panel: Panel,
+    /// How many mirrors light may have met [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = depth)]
+    pub depth: Option<u8>,
+    /// How light becomes levels [default: the scene's]
+    #[arg(long, value_enum)]
+    pub transfer: Option<Curve>,
+}
+
+impl Look {
+    /// Answers the shot that is asked for.
+    pub fn shot(&self) -> Result<Shot, Error> {
+        let mut shot = Shot::new(scene(&self.scene)?);
+        shot.number = self.number;
+        shot.panel = self.panel;
+        shot.size = self.size.unwrap_or(shot.size);
+        shot.depth = self.depth.unwrap_or(shot.depth);
+        shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
+        Ok(shot)
+    }
+}
+
+/// Finds a scene.
+pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
+    scenes::find(name).ok_or_else(|| Error::UnknownScene(name.to_owned()))
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
+    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    sides.ok_or_else(|| {
+        format!("a size is columns x rows, each from 1 to {MAX_SIDE}, written such as 320x240")
+    })
+}
+
+fn judged(text: &str) -> Result<Number, String> {
+    let numbers = [Number::F32, Number::Fixed, Number::Exact];
+    let number = numbers.into_iter().find(|number| number.name() == text);
+    number.ok_or_else(|| "the numbers judged by the reference are f32, fixed and exact".to_owned())
+}
+
+fn depth(text: &str) -> Result<u8, String> {
+    let depth = text.parse().ok().filter(|depth| usize::from(*depth) <= MAX_DEPTH);
+    depth.ok_or_else(|| format!("a depth is a number from 0 to {MAX_DEPTH}, such as 3"))
+}
+
+/// Names a transfer curve on the command line.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Curve {
+    /// The sRGB curve, as panels and PNG files expect it
+    Srgb,
+    /// Levels proportional to light
+    Linear,
+}
+
+impl Curve {
+    fn transfer(self) -> Transfer {
+        match self {
+            Self::Srgb => Transfer::Srgb,
+            Self::Linear => Transfer::Linear,
+        }
+    }
+}
+
+impl ValueEnum for Number {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(match self {
+            Self::F32 => "The core in f32, for chips with a floating-point unit",
+            Self::Fixed => "The core in fixed point, for chips without one",
+            Self::Exact => "The core in f64",
+            Self::Oracle => "The f64 reference, which shares no code with the core",
+        }))
+    }
+}
+
+impl ValueEnum for Panel {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()))
+    }
+}

@@ -1,0 +1,83 @@
+use crate::scenes;
+use crate::shot::Refusal;
+use std::path::PathBuf;
+use std::{fmt, io};
+
+/// Tells what went wrong, and what to do about it.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// The gallery has no such scene.
+    UnknownScene(String),
+    /// A comparison names neither a scene nor all of them.
+    NothingToCompare,
+    /// The picture cannot be drawn.
+    Render(Refusal),
+    /// A file or a directory cannot be written.
+    Write(PathBuf, io::Error),
+    /// A window was asked for, and there is no display.
+    NoDisplay,
+    /// The display refuses the window.
+    Window(String),
+    /// The results cannot be printed.
+    Output(io::Error),
+}
+
+impl Error {
+    /// Answers whether it only means that nobody reads on, as when a pager is left.
+    pub fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::UnknownScene(name) => {
+                write!(f, "there is no scene '{name}'")?;
+                if let Some(nearest) = scenes::nearest(name) {
+                    write!(f, "; did you mean '{nearest}'?")?;
+                }
+                f.write_str("\n`scanray list` names them all.")
+            }
+            Self::NothingToCompare => f.write_str(
+                "there is no scene to compare.\n\
+                 Name one, as in `scanray compare simple`, or take `scanray compare --all`.",
+            ),
+            Self::Render(error) => write!(f, "the picture cannot be drawn: {error}."),
+            Self::Write(path, error) => {
+                write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
+            }
+            Self::NoDisplay => f.write_str(
+                "there is no display to open a window on: DISPLAY is not set.\n\
+                 `scanray render` writes the picture to a file and needs none.",
+            ),
+            Self::Window(reason) => write!(
+                f,
+                "the display refuses a window: {reason}.\n\
+                 `scanray render --no-window` writes the picture to a file and needs none."
+            ),
+            Self::Output(error) => write!(f, "cannot print the results: {error}."),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<io::Error> for Error {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+impl From<Refusal> for Error {
+    fn from(error: Refusal) -> Self {
+        Self::Render(error)
+    }
+}
+
+impl From<minifb::Error> for Error {
+    fn from(error: minifb::Error) -> Self {
+        Self::Window(error.to_string())
+    }
+}

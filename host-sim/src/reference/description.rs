@@ -1,0 +1,231 @@
+//! The door: copies a scene's plain data out of the core's types. Nothing is calculated here.
+
+use super::vector::Vector;
+use crate::panel::Panel;
+use std::fmt;
+
+/// Tells that a description holds something the reference has no formula for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unknown(
+    /// What kind of thing it is.
+    pub &'static str,
+);
+
+impl fmt::Display for Unknown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the reference does not know this kind of {}", self.0)
+    }
+}
+
+impl std::error::Error for Unknown {}
+
+/// Holds all that a picture is made of.
+#[derive(Clone, Debug)]
+pub struct Description {
+    pub(super) objects: Vec<Object>,
+    pub(super) lights: Vec<Light>,
+    pub(super) sky: Sky,
+    pub(super) ambient: Vector,
+    pub(super) camera: Camera,
+    pub(super) depth: u8,
+    pub(super) exposure: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Object {
+    pub shape: Shape,
+    pub material: Material,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Shape {
+    Sphere { center: Vector, radius: f64 },
+    Plane { point: Vector, normal: Vector },
+    Triangle { corners: [Vector; 3] },
+    Cuboid { low: Vector, high: Vector },
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Material {
+    pub texture: Texture,
+    pub lit: bool,
+    pub ambient: f64,
+    pub specular: Vector,
+    pub shininess: u16,
+    pub mirror: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Texture {
+    Solid(Vector),
+    Checker { even: Vector, odd: Vector, per_unit: f64 },
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Light {
+    Point { position: Vector, color: Vector },
+    Directional { toward: Vector, color: Vector },
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sky {
+    Solid(Vector),
+    Gradient { up: Vector, nadir: Vector, zenith: Vector },
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Camera {
+    pub eye: Vector,
+    pub center: Vector,
+    pub up: Vector,
+    pub projection: Projection,
+    pub near: f64,
+    pub far: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Projection {
+    Perspective { fovy: f64 },
+    Frustum { edges: [f64; 4] },
+    Orthographic { height: f64 },
+}
+
+/// Is how light becomes what a panel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Output {
+    /// Highest levels of red, green and blue.
+    pub(super) tops: [f64; 3],
+    pub(super) colored: bool,
+    /// Whether levels follow the sRGB curve, else they follow the light.
+    pub(super) srgb: bool,
+    /// Whether thresholds change from pixel to pixel.
+    pub(super) ordered: bool,
+}
+
+fn vector(v: &scanray::Vec3<f64>) -> Vector {
+    Vector([v.x, v.y, v.z])
+}
+
+fn light(c: &scanray::Rgb<f64>) -> Vector {
+    Vector([c.r, c.g, c.b])
+}
+
+fn shape(shape: &scanray::Shape<f64>) -> Shape {
+    match shape {
+        scanray::Shape::Sphere(s) => Shape::Sphere { center: vector(&s.center), radius: s.radius },
+        scanray::Shape::Plane(p) => Shape::Plane { point: vector(&p.point), normal: vector(&p.normal) },
+        scanray::Shape::Triangle(t) => Shape::Triangle { corners: [&t.a, &t.b, &t.c].map(vector) },
+        scanray::Shape::Cuboid(c) => Shape::Cuboid { low: vector(&c.low), high: vector(&c.high) },
+        scanray::Shape::Custom(none) => match *none {},
+    }
+}
+
+fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
+    match texture {
+        scanray::Texture::Solid(color) => Ok(Texture::Solid(light(color))),
+        scanray::Texture::Checker(c) => {
+            Ok(Texture::Checker { even: light(&c.even), odd: light(&c.odd), per_unit: c.per_unit })
+        }
+        _ => Err(Unknown("texture")),
+    }
+}
+
+fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
+    let lit = match material.model {
+        scanray::Model::Flat => false,
+        scanray::Model::Phong => true,
+        _ => return Err(Unknown("reflection model")),
+    };
+    let (specular, shininess) = (light(&material.specular), material.shininess);
+    let (ambient, mirror) = (material.ambient, material.mirror);
+    Ok(Material { texture: texture(&material.texture)?, lit, ambient, specular, shininess, mirror })
+}
+
+fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
+    match lamp {
+        scanray::Light::Point { position, color } => {
+            Ok(Light::Point { position: vector(position), color: light(color) })
+        }
+        scanray::Light::Directional { toward, color } => {
+            Ok(Light::Directional { toward: vector(toward), color: light(color) })
+        }
+        _ => Err(Unknown("light")),
+    }
+}
+
+fn sky(sky: &scanray::Sky<f64>) -> Result<Sky, Unknown> {
+    match sky {
+        scanray::Sky::Solid(color) => Ok(Sky::Solid(light(color))),
+        scanray::Sky::Gradient { up, nadir, zenith } => {
+            Ok(Sky::Gradient { up: vector(up), nadir: light(nadir), zenith: light(zenith) })
+        }
+        _ => Err(Unknown("sky")),
+    }
+}
+
+fn camera(camera: &scanray::Camera<f64>) -> Result<Camera, Unknown> {
+    let projection = match camera.projection {
+        scanray::Projection::Perspective { fovy } => Projection::Perspective { fovy },
+        scanray::Projection::Frustum { left, right, bottom, top } => {
+            Projection::Frustum { edges: [left, right, bottom, top] }
+        }
+        scanray::Projection::Orthographic { height } => Projection::Orthographic { height },
+        _ => return Err(Unknown("projection")),
+    };
+    let [eye, center, up] = [&camera.eye, &camera.center, &camera.up].map(vector);
+    Ok(Camera { eye, center, up, projection, near: camera.near, far: camera.far })
+}
+
+impl Description {
+    /// Copies a scene, a camera and settings.
+    ///
+    /// # Errors
+    /// [`Unknown`] names what the reference cannot draw.
+    pub fn copy(
+        scene: &scanray::Scene<'_, f64>,
+        lens: &scanray::Camera<f64>,
+        settings: &scanray::Settings<f64>,
+    ) -> Result<Self, Unknown> {
+        let object = |o: &scanray::Object<f64>| {
+            let place = usize::from(o.material);
+            let stuff = scene.materials.get(place).ok_or(Unknown("material, missing from the list"))?;
+            Ok(Object { shape: shape(&o.shape), material: material(stuff)? })
+        };
+        Ok(Self {
+            objects: scene.objects.iter().map(object).collect::<Result<_, _>>()?,
+            lights: scene.lights.iter().map(lamp).collect::<Result<_, _>>()?,
+            sky: sky(&scene.sky)?,
+            ambient: light(&scene.ambient),
+            camera: camera(lens)?,
+            depth: settings.depth,
+            exposure: settings.exposure,
+        })
+    }
+}
+
+fn channels(panel: Panel) -> ([f64; 3], bool) {
+    match panel {
+        Panel::Rgb565 => ([31.0, 63.0, 31.0], true),
+        Panel::Rgb666 => ([63.0; 3], true),
+        Panel::Rgb888 => ([255.0; 3], true),
+        Panel::Gray8 => ([255.0; 3], false),
+        Panel::Gray4 => ([15.0; 3], false),
+        Panel::Mono => ([1.0; 3], false),
+    }
+}
+
+impl Output {
+    /// Copies what says how light becomes a panel's levels.
+    pub fn copy(panel: Panel, transfer: scanray::Transfer, dither: scanray::Dither) -> Self {
+        let (tops, colored) = channels(panel);
+        let srgb = match transfer {
+            scanray::Transfer::Srgb => true,
+            scanray::Transfer::Linear => false,
+        };
+        let ordered = match dither {
+            scanray::Dither::None => false,
+            scanray::Dither::Ordered => true,
+        };
+        Self { tops, colored, srgb, ordered }
+    }
+}

@@ -1,0 +1,82 @@
+use super::description::Output;
+use super::vector::Vector;
+
+/// Answers Bayer's matrix of side `2^k` by its definition: four copies of the half as large one,
+/// four times as deep, with 0, 2, 3 and 1 added.
+fn bayer(k: u32) -> Vec<Vec<u32>> {
+    if k == 0 {
+        return vec![vec![0]];
+    }
+    let half = bayer(k - 1);
+    let joined = |left: u32, right: u32| {
+        let both = move |row: &Vec<u32>| {
+            row.iter().map(|n| 4 * n + left).chain(row.iter().map(|n| 4 * n + right)).collect()
+        };
+        half.iter().map(both).collect::<Vec<Vec<u32>>>()
+    };
+    [joined(0, 2), joined(3, 1)].concat()
+}
+
+/// Answers the level of linear light, 0 to 1, by the curve (IEC 61966-2-1).
+fn srgb(light: f64) -> f64 {
+    if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// Turns light into what a panel shows of it, in 8 bits a channel.
+pub(super) struct Display {
+    output: Output,
+    /// Thresholds by row and column, repeated over the picture.
+    thresholds: Vec<Vec<f64>>,
+}
+
+impl Display {
+    /// Makes the panel's thresholds: those of a square of eight, or a half everywhere.
+    pub fn of(output: Output) -> Self {
+        let order = if output.ordered { bayer(3) } else { bayer(0) };
+        let steps = (order.len() * order.len()) as f64;
+        let threshold = |n: u32| (2.0 * f64::from(n) + 1.0) / (2.0 * steps);
+        let thresholds = order.into_iter().map(|row| row.into_iter().map(threshold).collect()).collect();
+        Self { output, thresholds }
+    }
+
+    /// Answers what is shown of a light in column `x` of row `y`.
+    pub fn shown(&self, light: Vector, x: usize, y: usize) -> [u8; 3] {
+        let side = self.thresholds.len();
+        let threshold = self.thresholds[y % side][x % side];
+        let [r, g, b] = light.0.map(|l| l.clamp(0.0, 1.0));
+        let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+        let channels = if self.output.colored { [r, g, b] } else { [luminance; 3] };
+        std::array::from_fn(|i| {
+            let top = self.output.tops[i];
+            let bright = if self.output.srgb { srgb(channels[i]) } else { channels[i] };
+            let level = (bright * top + threshold).floor().min(top);
+            (level / top * 255.0).round() as u8
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_matrix_of_side_four_is_bayers() {
+        let expected = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
+        assert_eq!(bayer(2), expected.map(Vec::from));
+    }
+
+    #[test]
+    fn the_curve_has_its_published_values() {
+        assert!((srgb(0.5) - 0.735_356_983_052_449_4).abs() < 1e-12);
+        assert!((srgb(0.002) - 0.025_84).abs() < 1e-15);
+    }
+
+    #[test]
+    fn half_light_lights_half_the_pixels_of_a_black_and_white_panel() {
+        let output = Output { tops: [1.0; 3], colored: false, srgb: false, ordered: true };
+        let display = Display::of(output);
+        let half = Vector([0.5; 3]);
+        let lit = (0..64).filter(|i| display.shown(half, i % 8, i / 8) == [255; 3]).count();
+        assert_eq!(lit, 32);
+    }
+}

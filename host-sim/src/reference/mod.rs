@@ -1,0 +1,25 @@
+//! The reference: a second ray tracer, in `f64`, by other formulas.
+//!
+//! It shares the scene description with the core and nothing else. [`Description`] and [`Output`]
+//! are its only doors: they copy plain data, and no other file here may name the core. Where the
+//! core has one formula, the reference has another: the quadratic with both of its roots, a
+//! triangle by its plane and areas, a box by six planes, bounces by recursion, rays by inverted
+//! camera matrices, every object asked every time, `powf` and the exact transfer curve.
+//!
+//! Besides light it answers a [`Trail`] for each pixel: all that the ray tree met. Where the trails
+//! of two neighbours differ there is a silhouette, and a rounding error may show either side.
+
+mod camera;
+mod description;
+mod display;
+mod light;
+mod matrix;
+mod picture;
+mod shape;
+mod trail;
+mod vector;
+
+pub use description::{Description, Output, Unknown};
+pub use picture::{Picture, trace};
+pub use trail::{Stop, Trail};
+pub use vector::Vector;

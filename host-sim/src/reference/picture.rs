@@ -1,0 +1,69 @@
+use super::camera::Lens;
+use super::description::{Description, Output};
+use super::display::Display;
+use super::trail::{Trail, silhouettes};
+use super::vector::Vector;
+use std::num::NonZero;
+use std::sync::mpsc;
+use std::thread;
+
+/// Is a picture as it ought to be, row by row from the top.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Linear light of every pixel after exposure.
+    pub light: Vec<Vector>,
+    /// What every pixel's ray and its reflections met.
+    pub trails: Vec<Trail>,
+}
+
+type Row = Vec<(Vector, Trail)>;
+
+/// Traces a picture with the reference, on all processors.
+///
+/// Scene and camera are taken to be sound, as the core's own check finds them. `row_done` is told
+/// each finished row, in whatever order they finish.
+pub fn trace(description: &Description, size: [u32; 2], mut row_done: impl FnMut(u32)) -> Picture {
+    let lens = Lens::of(&description.camera, size);
+    let [columns, height] = size;
+    let row = |y: u32| -> Row {
+        let pixel = |x| description.seen_along(&lens.ray(x, y), |point| lens.sees(point));
+        (0..columns).map(pixel).collect()
+    };
+    let mut rows: Vec<Row> = vec![vec![]; height as usize];
+    let workers = thread::available_parallelism().map_or(1, NonZero::get);
+    let (sender, finished) = mpsc::channel();
+    thread::scope(|scope| {
+        for worker in 0..workers {
+            let (sender, row) = (sender.clone(), &row);
+            // The receiver lives as long as the scope: sending cannot fail.
+            let work =
+                move || (worker as u32..height).step_by(workers).try_for_each(|y| sender.send((y, row(y))));
+            scope.spawn(work);
+        }
+        drop(sender);
+        for (y, pixels) in finished {
+            rows[y as usize] = pixels;
+            row_done(y);
+        }
+    });
+    let (light, trails) = rows.into_iter().flatten().unzip();
+    Picture { size, light, trails }
+}
+
+impl Picture {
+    /// Answers what a panel shows, in 8 bits a channel, with exact curves and thresholds.
+    pub fn on_panel(&self, output: Output) -> Vec<[u8; 3]> {
+        let display = Display::of(output);
+        let columns = self.size[0] as usize;
+        let shown = |(i, light): (usize, &Vector)| display.shown(*light, i % columns, i / columns);
+        self.light.iter().enumerate().map(shown).collect()
+    }
+
+    /// Marks the pixels beside an edge of whatever is seen: of an object, a face, a tile, a shadow
+    /// or any of these in a mirror.
+    pub fn silhouettes(&self) -> Vec<bool> {
+        silhouettes(&self.trails, self.size)
+    }
+}

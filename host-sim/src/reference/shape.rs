@@ -1,0 +1,160 @@
+use super::description::Shape;
+use super::vector::Vector;
+
+/// Is a half-line; its direction has any length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ray {
+    pub start: Vector,
+    pub direction: Vector,
+}
+
+impl Ray {
+    /// Answers the point that many directions from the start.
+    pub fn point(&self, t: f64) -> Vector {
+        self.start + self.direction * t
+    }
+}
+
+/// Is one place where the endless line of a ray meets a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Root {
+    pub t: f64,
+    /// The face of a box, else 0.
+    pub part: u8,
+}
+
+/// Answers both roots of `a t^2 + b t + c`, the smaller first.
+fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return vec![];
+    }
+    let root = discriminant.sqrt();
+    vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]
+}
+
+fn plane_root(ray: &Ray, point: Vector, normal: Vector) -> Option<f64> {
+    let slope = normal.inner(ray.direction);
+    (slope != 0.0).then(|| normal.inner(point - ray.start) / slope)
+}
+
+/// Answers the shares of a triangle's area that lie across from its three corners.
+fn shares([a, b, c]: [Vector; 3], point: Vector) -> [f64; 3] {
+    let normal = (b - a).outer(c - a);
+    let across = |p: Vector, q: Vector| (q - p).outer(point - p).inner(normal) / normal.inner(normal);
+    [across(b, c), across(c, a), across(a, b)]
+}
+
+fn triangle_root(ray: &Ray, corners: [Vector; 3]) -> Option<f64> {
+    let [a, b, c] = corners;
+    let t = plane_root(ray, a, (b - a).outer(c - a))?;
+    shares(corners, ray.point(t)).iter().all(|share| *share >= 0.0).then_some(t)
+}
+
+/// Answers where the line passes one face of a box.
+fn face_root(ray: &Ray, [low, high]: [Vector; 2], part: u8) -> Option<f64> {
+    let axis = usize::from(part / 2);
+    let level = if part.is_multiple_of(2) { low.0[axis] } else { high.0[axis] };
+    if ray.direction.0[axis] == 0.0 {
+        return None;
+    }
+    let t = (level - ray.start.0[axis]) / ray.direction.0[axis];
+    let place = ray.point(t).0;
+    let within = |other: usize| low.0[other] <= place[other] && place[other] <= high.0[other];
+    (0..3).filter(|other| *other != axis).all(within).then_some(t)
+}
+
+impl Shape {
+    /// Answers all places where the line of a ray meets the shape, before the start and behind it.
+    fn roots(&self, ray: &Ray) -> Vec<Root> {
+        let whole = |t: f64| Root { t, part: 0 };
+        match *self {
+            Self::Sphere { center, radius } => {
+                let (v, from) = (ray.direction, ray.start - center);
+                let c = from.inner(from) - radius * radius;
+                quadratic(v.inner(v), 2.0 * from.inner(v), c).into_iter().map(whole).collect()
+            }
+            Self::Plane { point, normal } => plane_root(ray, point, normal).map(whole).into_iter().collect(),
+            Self::Triangle { corners } => triangle_root(ray, corners).map(whole).into_iter().collect(),
+            Self::Cuboid { low, high } => {
+                let face = |part: u8| face_root(ray, [low, high], part).map(|t| Root { t, part });
+                (0..6).filter_map(face).collect()
+            }
+        }
+    }
+
+    /// Answers the roots of a ray that starts on this shape's own `part`, its start left out.
+    ///
+    /// A flat thing is not met again. A box leaves out the faces in the plane of the start. Of a
+    /// ball's two roots one is the start, up to rounding: the one nearer to 0.
+    fn roots_leaving(&self, ray: &Ray, part: u8) -> Vec<Root> {
+        let mut roots = self.roots(ray);
+        match *self {
+            Self::Sphere { .. } => {
+                roots.sort_by(|a, b| b.t.abs().total_cmp(&a.t.abs()));
+                roots.truncate(1);
+            }
+            Self::Plane { .. } | Self::Triangle { .. } => roots.clear(),
+            Self::Cuboid { low, high } => {
+                let axis = usize::from(part / 2);
+                let flat = low.0[axis] == high.0[axis];
+                roots.retain(|root| root.part != part && !(flat && root.part / 2 == part / 2));
+            }
+        }
+        roots
+    }
+
+    /// Answers where a ray meets the shape ahead; `left` is the part it starts on, if any.
+    pub fn roots_ahead(&self, ray: &Ray, left: Option<u8>) -> Vec<Root> {
+        let mut roots = match left {
+            Some(part) => self.roots_leaving(ray, part),
+            None => self.roots(ray),
+        };
+        roots.retain(|root| root.t > 0.0);
+        roots
+    }
+
+    /// Answers a unit normal at a point of a part, to either side.
+    pub fn normal(&self, point: Vector, part: u8) -> Vector {
+        match *self {
+            Self::Sphere { center, .. } => (point - center).unit(),
+            Self::Plane { normal, .. } => normal.unit(),
+            Self::Triangle { corners: [a, b, c] } => (b - a).outer(c - a).unit(),
+            Self::Cuboid { .. } => {
+                Vector::by_axis(|axis| if axis == usize::from(part / 2) { 1.0 } else { 0.0 })
+            }
+        }
+    }
+
+    /// Answers the texture coordinates of a point of a part.
+    pub fn texture_coordinates(&self, point: Vector, part: u8) -> [f64; 2] {
+        match *self {
+            Self::Sphere { .. } => [0.0, 0.0],
+            Self::Plane { normal, .. } => leave_out(largest_axis(normal), point),
+            Self::Triangle { corners } => {
+                let [_, u, v] = shares(corners, point);
+                [u, v]
+            }
+            Self::Cuboid { low, high } => {
+                let share = |axis| (point.0[axis] - low.0[axis]) / (high.0[axis] - low.0[axis]);
+                leave_out(usize::from(part / 2), Vector::by_axis(share))
+            }
+        }
+    }
+}
+
+/// Answers the axis along which a vector is longest; of equals the second, then the first.
+fn largest_axis(v: Vector) -> usize {
+    let size = v.0.map(f64::abs);
+    let longest = size[0].max(size[1]).max(size[2]);
+    [1, 0, 2].into_iter().find(|axis| size[*axis] == longest).unwrap_or(1)
+}
+
+/// Answers the two components other than that of an axis.
+fn leave_out(axis: usize, v: Vector) -> [f64; 2] {
+    match axis {
+        0 => [v.0[1], v.0[2]],
+        1 => [v.0[0], v.0[2]],
+        _ => [v.0[0], v.0[1]],
+    }
+}

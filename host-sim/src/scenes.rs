@@ -1,0 +1,148 @@
+//! Scenes by name: the gallery's views with the number chosen at run time.
+
+use scanray::gallery::{Gallery, View};
+use scanray::{Camera, Fixed, Projection, Scalar, Vec3};
+
+/// Is a scene of the gallery, in every number.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The scene in `f32`.
+    pub float: &'static View<f32>,
+    /// The scene in fixed point.
+    pub fixed: &'static View<Fixed>,
+    /// The scene in `f64`.
+    pub double: &'static View<f64>,
+}
+
+impl Entry {
+    /// Answers the name, as commands take it.
+    pub fn name(&self) -> &'static str {
+        self.double.name
+    }
+}
+
+/// Lists the gallery.
+pub fn all() -> impl Iterator<Item = Entry> {
+    let numbers = f32::views().iter().zip(Fixed::views()).zip(f64::views());
+    numbers.map(|((float, fixed), double)| Entry { float, fixed, double })
+}
+
+/// Finds a scene by its name.
+pub fn find(name: &str) -> Option<Entry> {
+    all().find(|entry| entry.name() == name)
+}
+
+/// Answers the name that is most like a misspelt one, if any is like it at all.
+pub fn nearest(name: &str) -> Option<&'static str> {
+    let name = name.to_lowercase();
+    let begins = |scene: &&str| name.len() >= 3 && scene.starts_with(&name);
+    let like = |scene: &'static str| (typos(&name, scene), scene);
+    all().map(|entry| entry.name()).find(begins).or_else(|| {
+        let (typos, scene) = all().map(|entry| like(entry.name())).min()?;
+        (3 * typos <= scene.len()).then_some(scene)
+    })
+}
+
+/// Counts the letters to put in, take out or change to make one word of the other (Levenshtein).
+fn typos(from: &str, to: &str) -> usize {
+    let to: Vec<char> = to.chars().collect();
+    let mut row: Vec<usize> = (0..=to.len()).collect();
+    for letter in from.chars() {
+        let mut diagonal = row[0];
+        row[0] += 1;
+        for (i, other) in to.iter().enumerate() {
+            let change = diagonal + usize::from(letter != *other);
+            diagonal = row[i + 1];
+            row[i + 1] = change.min(row[i] + 1).min(row[i + 1] + 1);
+        }
+    }
+    row[to.len()]
+}
+
+/// Is a number that the core draws the gallery in.
+pub trait HostNumber: Scalar {
+    /// Answers the scene in this number.
+    fn view(entry: &Entry) -> &'static View<Self>;
+
+    /// Rounds a value to this number, as the gallery's constants are rounded.
+    fn round(value: f64) -> Self;
+}
+
+impl HostNumber for f32 {
+    fn view(entry: &Entry) -> &'static View<Self> {
+        entry.float
+    }
+
+    fn round(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl HostNumber for Fixed {
+    fn view(entry: &Entry) -> &'static View<Self> {
+        entry.fixed
+    }
+
+    fn round(value: f64) -> Self {
+        Self::new(value)
+    }
+}
+
+impl HostNumber for f64 {
+    fn view(entry: &Entry) -> &'static View<Self> {
+        entry.double
+    }
+
+    fn round(value: f64) -> Self {
+        value
+    }
+}
+
+/// Rounds a camera to a number: a camera of the gallery to the very one the gallery has there.
+pub fn camera_in<S: HostNumber>(camera: &Camera<f64>) -> Camera<S> {
+    let point = |p: Vec3<f64>| Vec3::from_array(p.to_array().map(S::round));
+    let far = if camera.far == f64::FAR { S::FAR } else { S::round(camera.far) };
+    let projection = match camera.projection {
+        Projection::Frustum { left, right, bottom, top } => {
+            let [left, right, bottom, top] = [left, right, bottom, top].map(S::round);
+            Projection::Frustum { left, right, bottom, top }
+        }
+        Projection::Orthographic { height } => Projection::Orthographic { height: S::round(height) },
+        Projection::Perspective { fovy } => Projection::Perspective { fovy: S::round(fovy) },
+        // The enum is open to the core's future; a projection unknown here is refused by the core
+        // because its angle is 0.
+        _ => Projection::Perspective { fovy: S::ZERO },
+    };
+    let points = [point(camera.eye), point(camera.center), point(camera.up)];
+    Camera::new(points, projection, [S::round(camera.near), far])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_has_the_same_scenes_in_the_same_order() {
+        for entry in all() {
+            assert_eq!(entry.float.name, entry.double.name);
+            assert_eq!(entry.fixed.name, entry.double.name);
+        }
+        assert_eq!(all().count(), f64::views().len());
+    }
+
+    #[test]
+    fn a_camera_rounded_from_f64_is_the_one_of_the_gallery() {
+        for entry in all() {
+            assert_eq!(camera_in::<f32>(&entry.double.camera), entry.float.camera, "{}", entry.name());
+            assert_eq!(camera_in::<Fixed>(&entry.double.camera), entry.fixed.camera, "{}", entry.name());
+        }
+    }
+
+    #[test]
+    fn a_misspelt_name_finds_its_scene_and_nonsense_finds_none() {
+        assert_eq!(nearest("simpel"), Some("simple"));
+        assert_eq!(nearest("Three-Sphere"), Some("three-spheres"));
+        assert_eq!(nearest("tiny"), Some("tinyraytracer"));
+        assert_eq!(nearest("zzzzzzzz"), None);
+    }
+}

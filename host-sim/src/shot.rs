@@ -1,0 +1,184 @@
+//! Shots: all that decides a picture, with the number chosen at run time.
+
+use crate::compare::{Comparison, Figures, Subject};
+use crate::panel::Panel;
+use crate::picture::{self, Film};
+use crate::reference::Unknown;
+use crate::scenes::{Entry, HostNumber, camera_in};
+use scanray::gallery::View;
+use scanray::trace::RayCounts;
+use scanray::{Camera, Fixed, RenderError, Transfer};
+use std::fmt;
+use std::time::{Duration, Instant};
+
+/// Names who traces a picture, and in which number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Number {
+    /// The core in `f32`.
+    F32,
+    /// The core in fixed point.
+    Fixed,
+    /// The core in `f64`.
+    Exact,
+    /// The reference, which shares no code with the core.
+    Oracle,
+}
+
+impl Number {
+    /// Lists all.
+    pub const ALL: [Self; 4] = [Self::F32, Self::Fixed, Self::Exact, Self::Oracle];
+
+    /// Answers the name, as commands take it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "fixed",
+            Self::Exact => "exact",
+            Self::Oracle => "oracle",
+        }
+    }
+}
+
+/// Is all that decides a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Shot {
+    /// What there is to see.
+    pub scene: Entry,
+    /// Where it is seen from.
+    pub camera: Camera<f64>,
+    /// Who traces it.
+    pub number: Number,
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// The colour format it is shown in.
+    pub panel: Panel,
+    /// How many mirrors light may have met.
+    pub depth: u8,
+    /// How light becomes levels.
+    pub transfer: Transfer,
+}
+
+/// Is a picture as a panel shows it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Red, green and blue of each pixel, row by row from the top.
+    pub pixels: Vec<[u8; 3]>,
+}
+
+/// Is a picture with what it took.
+#[derive(Clone, Debug)]
+pub struct Taken {
+    /// The picture.
+    pub picture: Picture,
+    /// Rays by kind; none are counted for the reference.
+    pub rays: Option<RayCounts>,
+    /// How long the tracing took.
+    pub time: Duration,
+}
+
+impl Shot {
+    /// Makes the shot the gallery shows of a scene: `f32` on an Rgb565 panel.
+    pub fn new(scene: Entry) -> Self {
+        let view = scene.double;
+        Self {
+            scene,
+            camera: view.camera,
+            number: Number::F32,
+            size: view.size,
+            panel: Panel::Rgb565,
+            depth: view.settings.depth,
+            transfer: view.settings.transfer,
+        }
+    }
+
+    /// Traces the picture; `row_done` is told each finished row.
+    ///
+    /// # Errors
+    /// What keeps it from being drawn.
+    pub fn take(&self, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+        match self.number {
+            Number::F32 => self.take_in::<f32>(row_done),
+            Number::Fixed => self.take_in::<Fixed>(row_done),
+            Number::Exact => self.take_in::<f64>(row_done),
+            Number::Oracle => self.take_reference(row_done),
+        }
+    }
+
+    /// Traces the picture with the reference, to judge pictures of this shot by.
+    ///
+    /// # Errors
+    /// What keeps it from being drawn.
+    pub fn reference(&self, row_done: impl FnMut(u32)) -> Result<Comparison, Refusal> {
+        let view = self.view::<f64>();
+        // The reference leaves the check of what it is given to the core.
+        view.scene.check().map_err(RenderError::from)?;
+        view.camera.frame(self.size[0], self.size[1]).map_err(RenderError::from)?;
+        Ok(Comparison::trace(&view, view.settings, self.size, row_done)?)
+    }
+
+    /// Judges a picture of this shot.
+    pub fn judge(&self, picture: &Picture, reference: &Comparison) -> Figures {
+        let subject = Subject { scene: self.scene.name(), number: self.number.name(), panel: self.panel };
+        Figures::of(subject, &picture.pixels, &reference.on_panel(self.panel), &reference.mask)
+    }
+
+    /// Answers the gallery's view with what this shot changes of it.
+    fn view<S: HostNumber>(&self) -> View<S> {
+        let mut view = *S::view(&self.scene);
+        view.camera = camera_in(&self.camera);
+        view.settings = view.settings.with_depth(self.depth).with_transfer(self.transfer);
+        view
+    }
+
+    fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+        let view = self.view::<S>();
+        let begin = Instant::now();
+        let film: Film<S> = picture::trace(&view, view.settings, self.size, row_done)?;
+        let time = begin.elapsed();
+        let pixels = film.on_panel(self.panel, self.transfer, view.settings.dither);
+        Ok(Taken { picture: Picture { size: self.size, pixels }, rays: Some(film.rays), time })
+    }
+
+    fn take_reference(&self, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+        let begin = Instant::now();
+        let reference = self.reference(row_done)?;
+        let time = begin.elapsed();
+        let pixels = reference.on_panel(self.panel);
+        Ok(Taken { picture: Picture { size: self.size, pixels }, rays: None, time })
+    }
+}
+
+/// Tells what keeps a picture from being drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The core refuses it.
+    Core(RenderError),
+    /// The reference has no formula for it.
+    Reference(Unknown),
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Core(error) => error.fmt(f),
+            Self::Reference(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+impl From<RenderError> for Refusal {
+    fn from(error: RenderError) -> Self {
+        Self::Core(error)
+    }
+}
+
+impl From<Unknown> for Refusal {
+    fn from(error: Unknown) -> Self {
+        Self::Reference(error)
+    }
+}

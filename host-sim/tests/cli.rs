@@ -1,0 +1,192 @@
+//! The command line as a user meets it: the built program, its files, its answers.
+
+use host_sim::panel::Panel;
+use host_sim::picture;
+use scanray::Dither;
+use scanray::gallery::{Gallery, float};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Is a directory of a test's own that goes with it.
+struct Desk(PathBuf);
+
+impl Desk {
+    fn new(test: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("scanray-cli-{test}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn run(&self, arguments: &str) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_scanray"));
+        command.args(arguments.split_whitespace()).current_dir(&self.0).env_remove("DISPLAY");
+        command.output().unwrap()
+    }
+
+    fn files(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Desk {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn read(path: &Path) -> (Vec<[u8; 3]>, [u32; 2]) {
+    let picture = image::open(path).unwrap().into_rgb8();
+    (picture.pixels().map(|pixel| pixel.0).collect(), [picture.width(), picture.height()])
+}
+
+/// Demands exit code 2, nothing on stdout, and an error that says all this.
+fn assert_refused(desk: &Desk, arguments: &str, says: &[&str]) {
+    let output = desk.run(arguments);
+    assert_eq!(output.status.code(), Some(2), "{arguments}: {output:?}");
+    assert_eq!(stdout(&output), "", "{arguments}");
+    for word in says {
+        assert!(stderr(&output).contains(word), "{arguments} does not say {word:?}: {}", stderr(&output));
+    }
+    assert!(!stderr(&output).contains("panicked"), "{}", stderr(&output));
+}
+
+#[test]
+fn without_arguments_it_draws_the_simple_scene_and_tells_what_it_did() {
+    let desk = Desk::new("bare");
+    let output = desk.run("");
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(desk.files(), ["simple.png"]);
+    assert_eq!(read(&desk.0.join("simple.png")).1, [240, 240]);
+    let text = stdout(&output);
+    for word in
+        ["57,600 primary", "shadow", "reflection", "rays/s", "616 bytes", "dB PSNR", "/255", "simple.png"]
+    {
+        assert!(text.contains(word), "no {word:?} in {text}");
+    }
+    assert!(!text.contains('\u{1b}'), "escapes in what is no terminal: {text}");
+}
+
+#[test]
+fn the_file_holds_the_picture_the_library_makes() {
+    let desk = Desk::new("pixels");
+    let output = desk.run("render c-ray --size 40x30 --panel gray4 --depth 2 -o small.png");
+    assert!(output.status.success(), "{output:?}");
+    let view = float::C_RAY;
+    let film = picture::trace(&view, view.settings.with_depth(2), [40, 30], |_| ()).unwrap();
+    let expected = film.on_panel(Panel::Gray4, view.settings.transfer, Dither::Ordered);
+    assert_eq!(read(&desk.0.join("small.png")), (expected, [40, 30]));
+}
+
+#[test]
+fn number_panel_depth_and_transfer_each_change_the_picture() {
+    let desk = Desk::new("options");
+    let changes = ["", "--number fixed", "--panel rgb888", "--depth 1", "--transfer srgb", "--number oracle"];
+    let pictures = changes.map(|change| {
+        // On 240 x 180 pixels the numbers' roundings show in some of them.
+        let output = desk.run(&format!("render business-card --size 240x180 {change} -o x.png"));
+        assert!(output.status.success(), "{change}: {output:?}");
+        read(&desk.0.join("x.png")).0
+    });
+    for (picture, change) in pictures.iter().zip(changes).skip(1) {
+        assert!(*picture != pictures[0], "{change} changes nothing");
+    }
+}
+
+#[test]
+fn an_alias_may_hand_on_a_second_separator() {
+    let desk = Desk::new("separator");
+    let output = desk.run("-- render simple --size 8x8");
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(desk.files(), ["simple.png"]);
+}
+
+#[test]
+fn no_window_opens_and_no_file_appears_elsewhere_when_nobody_sits_at_a_terminal() {
+    let desk = Desk::new("unattended");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_scanray"));
+    // A display that does not exist would make an attempt show in the output.
+    let output = command
+        .args(["render", "--size", "8x8"])
+        .current_dir(&desk.0)
+        .env("DISPLAY", ":9999")
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+    assert!(!stdout(&output).contains("window"), "{}", stdout(&output));
+    assert_eq!(stderr(&output), "");
+}
+
+#[test]
+fn the_list_names_every_scene_with_its_size_and_what_it_shows() {
+    let output = Desk::new("list").run("list");
+    let text = stdout(&output);
+    for (view, line) in f32::views().iter().zip(text.lines()) {
+        let [columns, rows] = view.size;
+        assert!(line.starts_with(view.name) && line.contains(&format!("{columns}x{rows}")), "{line}");
+        assert!(line.ends_with(view.about), "{line}");
+    }
+    assert_eq!(text.lines().count(), f32::views().len());
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_scanray"));
+    let child = command.arg("list").stdout(writer).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    drop(command);
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(stderr(&output), "");
+}
+
+#[test]
+fn wrong_words_are_refused_with_a_way_out() {
+    let desk = Desk::new("wrong");
+    assert_refused(&desk, "render simpel", &["no scene 'simpel'", "did you mean 'simple'", "scanray list"]);
+    assert_refused(&desk, "render --size 240", &["320x240"]);
+    assert_refused(&desk, "render --size 0x5", &["320x240"]);
+    assert_refused(&desk, "render --size 99999x5", &["4096", "320x240"]);
+    assert_refused(&desk, "render --depth 33", &["from 0 to 32"]);
+    assert_refused(&desk, "render --panel rgb555", &["rgb565"]);
+    assert_refused(&desk, "compare", &["no scene to compare", "--all"]);
+    assert_refused(&desk, "compare simple --number oracle", &["f32, fixed and exact"]);
+    assert_refused(&desk, "draw", &["draw", "--help"]);
+    assert_eq!(desk.files(), [""; 0]);
+}
+
+#[test]
+fn what_cannot_be_written_is_said_with_its_place() {
+    let desk = Desk::new("unwritable");
+    assert_refused(&desk, "render --size 8x8 -o no/such/place.png", &["no/such/place.png", "-o"]);
+    assert_refused(&desk, "render --size 8x8 -o .", &["cannot write .", "-o"]);
+    std::fs::write(desk.0.join("taken"), "").unwrap();
+    assert_refused(&desk, "compare simple --size 8x8 -o taken", &["taken", "-o"]);
+}
+
+#[test]
+fn a_window_without_a_display_is_refused_with_a_way_out() {
+    assert_refused(&Desk::new("blind"), "show simple", &["no display", "scanray render"]);
+}
+
+#[test]
+fn help_is_no_error_and_gives_examples() {
+    let desk = Desk::new("help");
+    for arguments in ["--help", "render --help", "show --help", "compare --help"] {
+        let output = desk.run(arguments);
+        assert!(output.status.success(), "{arguments}");
+        assert!(stdout(&output).contains("Examples:"), "{arguments}");
+    }
+}

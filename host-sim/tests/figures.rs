@@ -1,0 +1,95 @@
+//! Every scene of the gallery, in every number, against the reference.
+
+use host_sim::compare::{Comparison, Figures, Subject};
+use host_sim::panel::Panel;
+use host_sim::picture::{Film, trace};
+use scanray::Fixed;
+use scanray::gallery::{Gallery, View};
+use std::sync::LazyLock;
+
+/// Is what two exact calculations may differ by.
+const FORMULAS: f64 = 1e-9;
+
+static COMPARISONS: LazyLock<Vec<Comparison>> = LazyLock::new(|| {
+    let compare = |view: &View<f64>| Comparison::trace(view, view.settings, view.size, |_| {});
+    f64::views().iter().map(compare).collect::<Result<_, _>>().expect("the reference knows the gallery")
+});
+
+fn film<S: Gallery>(view: &View<S>) -> Film<S> {
+    trace(view, view.settings, view.size, |_| {}).expect("the gallery can be drawn")
+}
+
+fn figures<S: Gallery>(number: &str) -> Vec<Figures> {
+    let figure = |(view, comparison): (&View<S>, &Comparison)| {
+        let subject = Subject { scene: view.name, number, panel: Panel::Rgb888 };
+        let figures = comparison.figures(subject, &film(view));
+        println!("{figures:?}");
+        figures
+    };
+    S::views().iter().zip(&*COMPARISONS).map(figure).collect()
+}
+
+#[track_caller]
+fn assert_figures<S: Gallery>(number: &str, least_db: f64, most_over_8: f64) {
+    for figures in figures::<S>(number) {
+        assert!(figures.psnr_db >= least_db, "{figures:?}");
+        assert!(figures.over_8 <= most_over_8, "{figures:?}");
+        // A mask over everything would hide everything.
+        assert!(figures.silhouette < 0.5, "{figures:?}");
+    }
+}
+
+#[test]
+fn every_scene_in_f64_has_the_light_of_the_reference_away_from_silhouettes() {
+    for (view, comparison) in f64::views().iter().zip(&*COMPARISONS) {
+        let off = comparison.light_difference(&film(view));
+        println!("{}: {off:?}", view.name);
+        assert!(off.value <= FORMULAS, "{}: {off:?}", view.name);
+    }
+}
+
+#[test]
+fn every_scene_in_f32_is_within_60_db_and_one_pixel_in_2000_of_the_reference() {
+    assert_figures::<f32>("f32", 60.0, 0.0005);
+}
+
+#[test]
+fn every_scene_in_fixed_point_is_within_40_db_and_one_pixel_in_200_of_the_reference() {
+    assert_figures::<Fixed>("fixed", 40.0, 0.005);
+}
+
+/// Answers how many levels of a channel two shown ones lie apart, of `top`.
+fn levels_apart(a: u8, b: u8, top: u32) -> u32 {
+    (u32::from(a.abs_diff(b)) * top + 127) / 255
+}
+
+/// Answers for each channel away from silhouettes how many of the panel's levels it is off.
+fn levels_off(comparison: &Comparison, view: &View<f64>, film: &Film<f64>, panel: Panel) -> Vec<u32> {
+    let tops = match panel {
+        Panel::Rgb565 => [31, 63, 31],
+        Panel::Rgb666 => [63; 3],
+        Panel::Rgb888 | Panel::Gray8 => [255; 3],
+        Panel::Gray4 => [15; 3],
+        Panel::Mono => [1; 3],
+    };
+    let shown = film.on_panel(panel, view.settings.transfer, view.settings.dither);
+    let pairs = shown.iter().zip(comparison.on_panel(panel)).zip(&comparison.mask);
+    let clear = pairs.filter(|(_, masked)| !**masked).map(|(pair, _)| pair);
+    clear.flat_map(|(a, b)| (0..3).map(move |i| levels_apart(a[i], b[i], tops[i]))).collect()
+}
+
+#[test]
+fn every_panel_shows_the_light_of_the_reference_within_one_level_and_nearly_always_the_same() {
+    for (view, comparison) in f64::views().iter().zip(&*COMPARISONS) {
+        let film = film(view);
+        for panel in Panel::ALL {
+            let off = levels_off(comparison, view, &film, panel);
+            let different = off.iter().filter(|levels| **levels > 0).count();
+            let what = format!("{} on {}: {different} of {} channels", view.name, panel.name(), off.len());
+            println!("{what}");
+            assert!(off.iter().all(|levels| *levels <= 1), "{what} and one by more than a level");
+            // Light that is a level and a threshold to the last digit may go either way.
+            assert!(different * 100 <= off.len(), "{what}");
+        }
+    }
+}
