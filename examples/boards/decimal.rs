@@ -1,0 +1,29 @@
+//! Numbers as text without `core::fmt`, which would be a quarter of such a small image.
+
+/// The ten digits at most of a `u32`.
+pub struct Decimal {
+    digits: [u8; 10],
+    first: usize,
+}
+
+impl Decimal {
+    /// The decimal digits of `number`.
+    pub fn new(mut number: u32) -> Self {
+        let mut digits = [b'0'; 10];
+        let mut first = digits.len();
+        for (i, digit) in digits.iter_mut().enumerate().rev() {
+            *digit += (number % 10) as u8;
+            number /= 10;
+            first = i;
+            if number == 0 {
+                break;
+            }
+        }
+        Self { digits, first }
+    }
+
+    /// The digits without leading zeros.
+    pub fn as_bytes(&self) -> &[u8] {
+        self.digits.get(self.first..).unwrap_or_default()
+    }
+}

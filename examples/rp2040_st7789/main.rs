@@ -1,0 +1,30 @@
+//! Firmware: a Raspberry Pi Pico (RP2040) draws a ray-traced scene on an ST7789 panel of 240x240 pixels.
+//!
+//! ```text
+//! cargo run --release --example rp2040_st7789 --target thumbv6m-none-eabi
+//! ```
+//!
+//! | Pico | panel |
+//! |---|---|
+//! | GPIO 16 | D/C |
+//! | GPIO 17 | CS |
+//! | GPIO 18 | SCL (SPI clock) |
+//! | GPIO 19 | SDA (SPI data) |
+//! | GPIO 20 | backlight |
+//! | GPIO 21 | reset |
+//!
+//! The Pico's own LED (GPIO 25) is lit while the core renders and dark while pixels travel to the panel.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(all(target_os = "none", target_arch = "arm", not(target_has_atomic = "32")))]
+mod firmware;
+
+#[cfg(all(target_os = "none", not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+#[path = "../boards/foreign.rs"]
+mod foreign;
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    println!("This is firmware. Start it on its emulated board with");
+    println!("  cargo run --release --example rp2040_st7789 --target thumbv6m-none-eabi");
+}

@@ -1,0 +1,105 @@
+//! Firmware on emulated boards: what the panel shows is, byte for byte, what the host computes.
+//!
+//! Each test builds an example for its board, starts it as a user would, and compares the picture read back. What the
+//! images cost goes to standard output and, as a table, to `target/boards.md`.
+
+mod board;
+mod table;
+
+use std::fmt::Debug;
+
+use board::{Board, Run};
+use embedded_graphics::{geometry::Size, pixelcolor::Gray4, prelude::*};
+use scanray::{Fixed, Renderer, Workspace, gallery::Gallery, output::Encode};
+
+const RP2040: Board = Board { example: "rp2040_st7789", target: "thumbv6m-none-eabi" };
+const LM3S6965: Board = Board { example: "lm3s6965_oled", target: "thumbv7m-none-eabi" };
+const MPS2: Board = Board { example: "mps2_bench", target: "thumbv7em-none-eabihf" };
+
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn the_st7789_on_an_rp2040_shows_what_the_host_computes() {
+    let run = Run::of(&RP2040);
+    let host = picture::<Fixed, [u8; 2]>("simple", 240, 240);
+    assert_same(&run.picture("rp2040_st7789.rgb565"), host.as_flattened(), 2 * 240);
+    table::add(&run, "simple, 240x240", "instructions");
+}
+
+#[test]
+#[ignore = "needs node and qemu-system-arm (run by .ci/run)"]
+fn the_oled_of_an_lm3s6965_shows_what_the_host_computes() {
+    let run = Run::of(&LM3S6965);
+    let host: Vec<u8> = picture::<Fixed, Gray4>("simple", 128, 64).iter().map(|grey| grey.luma()).collect();
+    assert_same(&run.picture("lm3s6965_oled.gray4"), &host, 128);
+    table::add(&run, "simple, 128x64", "instructions");
+}
+
+#[test]
+#[ignore = "needs node and qemu-system-arm (run by .ci/run)"]
+fn a_cortex_m4f_renders_what_the_host_computes() {
+    let run = Run::of(&MPS2);
+    for scene in ["three-spheres", "simple"] {
+        let host = picture::<f32, [u8; 2]>(scene, 320, 240);
+        assert_same(&run.picture(&format!("{scene}.rgb565")), host.as_flattened(), 2 * 320);
+        table::add(&run, &format!("{scene}, 320x240"), &format!("{scene}.instructions"));
+    }
+}
+
+/// A loop in place of `main` stands for every way a chip can hang: the board must say so, and where.
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn firmware_that_hangs_is_reported() {
+    let said = board::run_with_main_replaced(&RP2040, [0xfe, 0xe7]);
+    assert!(said.contains("the firmware stopped in"), "{said}");
+}
+
+/// An undefined instruction in place of `main` stands for every fault.
+#[test]
+#[ignore = "needs node and qemu-system-arm (run by .ci/run)"]
+fn firmware_that_faults_is_reported() {
+    for chip in [&LM3S6965, &MPS2] {
+        let said = board::run_with_main_replaced(chip, [0x00, 0xde]);
+        assert!(said.contains("failed: the processor faulted"), "{said}");
+    }
+}
+
+/// The comparison above must be able to fail.
+#[test]
+#[should_panic(expected = "byte 1 of row 2 is 9, the host computes 8")]
+fn one_wrong_byte_is_found() {
+    assert_same(&[1, 2, 3, 4, 5, 9], &[1, 2, 3, 4, 5, 8], 2);
+}
+
+/// The picture of a gallery scene, as the core renders it here.
+fn picture<S: Gallery, C: Encode>(scene: &str, width: u32, height: u32) -> Vec<C> {
+    let view = S::find(scene).unwrap_or_else(|| panic!("the gallery has no scene '{scene}'"));
+    let mut space = Workspace::<S, C, 0, 5>::new();
+    let size = Size::new(width, height);
+    let mut renderer =
+        Renderer::new(&view.scene, &view.camera, size, view.settings, &mut space).unwrap_or_else(refused);
+    let mut pixels = vec![C::DARKEST; (width * height) as usize];
+    for (y, row) in (0..).zip(pixels.chunks_exact_mut(width as usize)) {
+        renderer.render_row(y, row).unwrap_or_else(refused);
+    }
+    pixels
+}
+
+fn refused<T>(error: impl Debug) -> T {
+    panic!("the host refuses what the board draws: {error:?}")
+}
+
+/// Asserts that the bytes of two pictures are the same, and names the first that is not.
+fn assert_same(board: &[u8], host: &[u8], row_bytes: usize) {
+    assert_eq!(board.len(), host.len(), "the pictures differ in size");
+    let different = board.iter().zip(host).filter(|(a, b)| a != b).count();
+    if let Some(at) = board.iter().zip(host).position(|(a, b)| a != b) {
+        panic!(
+            "{different} of {} bytes differ; byte {} of row {} is {}, the host computes {}",
+            host.len(),
+            at % row_bytes,
+            at / row_bytes,
+            board[at],
+            host[at]
+        );
+    }
+}
