@@ -80,3 +80,34 @@ impl Comparison {
         worst
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::Vector;
+    use scanray::Rgb;
+    use scanray::trace::RayCounts;
+
+    fn difference_of(film: [f64; 4], mask: [bool; 4]) -> LightDifference {
+        let (size, trails) = ([2, 2], vec![]);
+        let reference = Picture { size, light: vec![Vector([0.5; 3]); 4], trails };
+        let (transfer, dither) = (Transfer::Srgb, Dither::None);
+        let comparison = Comparison { reference, mask: mask.to_vec(), transfer, dither };
+        let light = film.map(|blue| Rgb::new(0.5, 0.5, blue)).to_vec();
+        comparison.light_difference(&Film { size, light, rays: RayCounts::default() })
+    }
+
+    #[test]
+    fn the_largest_difference_of_light_is_found_with_its_pixel_but_not_beside_silhouettes() {
+        let film = [0.5, 0.75, 0.0, 9.0];
+        let clear = difference_of(film, [false, false, false, true]);
+        assert_eq!(clear, LightDifference { value: 0.5, pixel: [0, 1] });
+        let masked = difference_of(film, [false, false, true, true]);
+        assert_eq!(masked, LightDifference { value: 0.25, pixel: [1, 0] });
+    }
+
+    #[test]
+    fn light_that_is_not_a_number_is_infinitely_off() {
+        assert_eq!(difference_of([0.5, f64::NAN, 0.5, 0.5], [false; 4]).value, f64::INFINITY);
+    }
+}
