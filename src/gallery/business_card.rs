@@ -28,7 +28,7 @@ super::in_every_number! {
                 nadir: rgb(1.6, 0.4, 1.5),
                 zenith: rgb(0.0, 0.0, 0.1),
             }),
-        camera: Camera::perspective(v(0.0, 0.0, 3.0), v(1.0, 8.0, 4.0), v(0.0, 0.0, 1.0), n(47.0)),
+        camera: Camera::perspective(v(0.0, 0.0, 3.0), v(1.0, 8.0, 4.0), v(0.0, 0.0, 1.0), n(46.5)),
         settings: Settings::new().with_depth(3).with_transfer(Transfer::Linear),
         size: [320, 240],
     };

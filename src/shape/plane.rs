@@ -9,6 +9,9 @@ use crate::scene::Fault;
 ///
 /// A ray crosses it at `t = (point - o).normal / d.normal` (row O5). Texture coordinates are the
 /// two world coordinates other than the one along the largest component of the normal.
+///
+/// Nothing is met beyond [`Scalar::FAR`]: in fixed point a plane ends 2048 units away, for the eye
+/// (at its horizon) and for shadow rays that nearly run along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane<S = f32> {
     /// Any point of the plane.
