@@ -37,7 +37,7 @@
 //! ```
 //!
 //! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
-//! - [`ray`], [`hit`], [`aabb`], [`color`]: what everything else speaks of.
+//! - [`ray`], [`hit`], [`aabb`], [`color`], [`fault`]: what everything else speaks of.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
 //! - [`texture`], [`material`], [`brdf`], [`light`], [`environment`]: what surfaces do with light.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
@@ -58,6 +58,7 @@ pub mod math;
 
 pub mod aabb;
 pub mod color;
+pub mod fault;
 pub mod hit;
 pub mod ray;
 
@@ -84,12 +85,13 @@ pub mod gallery;
 pub use camera::{Camera, CameraError, Projection};
 pub use color::Rgb;
 pub use environment::Sky;
+pub use fault::Fault;
 pub use light::Light;
 pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
 pub use render::{RenderError, Renderer, RowError, Settings, Workspace};
-pub use scene::{Fault, Full, Object, Scene, SceneBuffer, SceneError};
+pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{Cuboid, Intersect, Plane, Shape, Sphere, Triangle};
 pub use texture::{Checker, Texture};
 

@@ -178,10 +178,6 @@ impl<S: Scalar> Frame<S> {
 
     /// Answers a point of the plane in which all rays of a row lie.
     pub fn row_point(&self, y: u32) -> Vec3<S> {
-        if self.parallel {
-            self.eye + self.row_start(y).narrow()
-        } else {
-            self.eye
-        }
+        if self.parallel { self.eye + self.row_start(y).narrow() } else { self.eye }
     }
 }

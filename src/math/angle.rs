@@ -1,16 +1,16 @@
 use super::{Scalar, Wide};
 
-/// Answers tan(angle / 2) of an angle in degrees, 0 to below 180, within 1e-5 relative in fixed
-/// point up to 120 degrees, 1e-6 in `f32` and 2e-15 in `f64`.
+/// Answers tan(angle / 2) of an angle in degrees, 0 to below 180, within 2e-5 in fixed
+/// point up to 120 degrees, 1e-6 of it in `f32` and 2e-15 of it in `f64`.
 ///
-/// A camera takes its angle once a frame, so the formula may be slow: an eighth of the angle goes
-/// through Lambert's continued fraction (Lambert 1761), then twice `tan 2a = 2 t / (1 - t t)`.
+/// A camera takes its angle once a frame, so the formula may be slow: a quarter of the angle goes
+/// through Lambert's continued fraction (Lambert 1761), then `tan 2a = 2 t / (1 - t t)`.
 pub fn tan_half<S: Scalar>(degrees: S) -> S {
-    let eighth = S::narrow(degrees.mul_wide(S::PI).scale(1, 8 * 180));
-    double_angle(double_angle(lambert(eighth)))
+    let quarter = S::narrow(degrees.mul_wide(S::PI).scale(1, 4 * 180));
+    double_angle(lambert(quarter))
 }
 
-/// Answers tan a = a / (1 - a^2 / (3 - a^2 / (5 - ...))), for a below 0.4.
+/// Answers tan a = a / (1 - a^2 / (3 - a^2 / (5 - ...))), for a below 0.8.
 fn lambert<S: Scalar>(a: S) -> S {
     let square = a * a;
     let mut tail = S::from_i32(15);

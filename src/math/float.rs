@@ -3,7 +3,6 @@
 //! The square root starts from micromath's seed (3.4 % off) and takes three Newton steps, which
 //! leaves 3e-7. Only `+ - * /` and casts are used, so the bits are the same on every chip.
 
-use super::scalar::{Scalar, Wide};
 use micromath::F32Ext;
 
 /// Answers 1/sqrt(x) within 3e-7 relative, for normal positive x.
@@ -16,99 +15,113 @@ fn rsqrt(x: f32) -> f32 {
     y
 }
 
-impl Wide for f32 {
-    const ZERO: Self = 0.0;
+/// Implements the number traits for a float, by the `rsqrt` in scope.
+macro_rules! float_scalar {
+    ($(#[$about:meta])* $float:ty, skin: $skin:expr, shortest_square: $shortest:expr, pi: $pi:expr) => {
+        impl $crate::math::Wide for $float {
+            const ZERO: Self = 0.0;
 
-    fn scale(self, numerator: i32, denominator: i32) -> Self {
-        self * (numerator as f32) / (denominator.max(1) as f32)
-    }
+            fn scale(self, numerator: i32, denominator: i32) -> Self {
+                self * (numerator as $float) / (denominator.max(1) as $float)
+            }
+        }
+
+        $(#[$about])*
+        impl $crate::math::Scalar for $float {
+            type Wide = $float;
+
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const HALF: Self = 0.5;
+            const PI: Self = $pi;
+            const FAR: Self = 1e18;
+            // Three squares of a difference of two such coordinates are 1.2e33, and f32 ends at 3.4e38.
+            const LIMIT: Self = 1e16;
+            const SKIN: Self = $skin;
+
+            fn from_i32(n: i32) -> Self {
+                n as $float
+            }
+
+            fn mul_wide(self, rhs: Self) -> $float {
+                self * rhs
+            }
+
+            fn narrow(wide: $float) -> Self {
+                wide
+            }
+
+            /// Below the least normal number, and for what is not a number, the answer is 0.
+            fn sqrt(wide: $float) -> Self {
+                if wide >= <$float>::MIN_POSITIVE {
+                    // An infinite argument would meet 0 * infinity below.
+                    if wide > <$float>::MAX {
+                        return wide;
+                    }
+                    wide * rsqrt(wide)
+                } else {
+                    0.0
+                }
+            }
+
+            fn div(numerator: $float, denominator: $float) -> Self {
+                if denominator == 0.0 {
+                    return if numerator < 0.0 { -<$float>::MAX } else { <$float>::MAX };
+                }
+                numerator / denominator
+            }
+
+            fn recip(self) -> Self {
+                Self::div(1.0, self)
+            }
+
+            fn floor(self) -> i32 {
+                let whole = self as i32;
+                if (whole as $float) > self { whole.saturating_sub(1) } else { whole }
+            }
+
+            fn pow_unit(self, exponent: u16) -> Self {
+                let (mut base, mut left, mut product) = ($crate::math::Scalar::max(self, 0.0), exponent, 1.0);
+                while left > 0 {
+                    if left & 1 == 1 {
+                        product *= base;
+                    }
+                    base *= base;
+                    left >>= 1;
+                }
+                product
+            }
+
+            fn normalize([x, y, z]: [Self; 3]) -> Option<([Self; 3], Self)> {
+                let square = x * x + y * y + z * z;
+                // Shorter ones would take the reciprocal root out of the range.
+                if !($shortest..=<$float>::MAX).contains(&square) {
+                    return None;
+                }
+                let r = rsqrt(square);
+                Some(([x * r, y * r, z * r], square * r))
+            }
+
+            fn light_bits(self) -> u32 {
+                // The cast takes what is not a number to 0 and saturates below.
+                ((self * 16_777_216.0) as u32).min(1 << 24)
+            }
+
+            fn in_range(self) -> bool {
+                $crate::math::Scalar::abs(self) <= Self::LIMIT
+            }
+        }
+    };
 }
 
-/// Scalar of the chips with a floating-point unit.
-///
-/// Error bounds, relative: [`Scalar::sqrt`] and [`Scalar::normalize`] 4e-7, [`Scalar::pow_unit`]
-/// `exponent` * 6e-8 + 1e-7; `recip` and `div` are correctly rounded.
-impl Scalar for f32 {
-    type Wide = f32;
+pub(super) use float_scalar;
 
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
-    const HALF: Self = 0.5;
-    const PI: Self = core::f32::consts::PI;
-    const FAR: Self = 1e18;
-    // The square of a difference of two such coordinates, times three, is 1.2e33: far below 3.4e38.
-    const LIMIT: Self = 1e16;
-    const SKIN: Self = 1.0 / 1024.0;
-
-    fn from_i32(n: i32) -> Self {
-        n as f32
-    }
-
-    fn mul_wide(self, rhs: Self) -> f32 {
-        self * rhs
-    }
-
-    fn narrow(wide: f32) -> Self {
-        wide
-    }
-
-    /// Below the least normal number, and for what is not a number, the answer is 0.
-    fn sqrt(wide: f32) -> Self {
-        if wide >= f32::MIN_POSITIVE {
-            // An infinite argument would meet 0 * infinity below.
-            if wide > f32::MAX {
-                return wide;
-            }
-            wide * rsqrt(wide)
-        } else {
-            0.0
-        }
-    }
-
-    fn div(numerator: f32, denominator: f32) -> Self {
-        if denominator == 0.0 {
-            return if numerator < 0.0 { -f32::MAX } else { f32::MAX };
-        }
-        numerator / denominator
-    }
-
-    fn recip(self) -> Self {
-        Self::div(1.0, self)
-    }
-
-    fn floor(self) -> i32 {
-        let whole = self as i32;
-        if (whole as f32) > self { whole.saturating_sub(1) } else { whole }
-    }
-
-    fn pow_unit(self, exponent: u16) -> Self {
-        let (mut base, mut left, mut product) = (Scalar::max(self, 0.0), exponent, 1.0);
-        while left > 0 {
-            if left & 1 == 1 {
-                product *= base;
-            }
-            base *= base;
-            left >>= 1;
-        }
-        product
-    }
-
-    fn normalize([x, y, z]: [Self; 3]) -> Option<([Self; 3], Self)> {
-        let square = x * x + y * y + z * z;
-        // 1e-30 keeps the reciprocal root of the shortest vector well inside the range.
-        if !(1e-30..=f32::MAX).contains(&square) {
-            return None;
-        }
-        let r = rsqrt(square);
-        Some(([x * r, y * r, z * r], square * r))
-    }
-
-    fn light_bits(self) -> u32 {
-        // The cast takes what is not a number to 0 and saturates below.
-        ((self * 16_777_216.0) as u32).min(1 << 24)
-    }
-
-    fn in_range(self) -> bool {
-        Scalar::abs(self) <= Self::LIMIT
-    }
+float_scalar! {
+    /// Scalar of the chips with a floating-point unit.
+    ///
+    /// Error bounds, relative: [`Scalar::sqrt`](super::Scalar::sqrt) and
+    /// [`Scalar::normalize`](super::Scalar::normalize) 4e-7,
+    /// [`Scalar::pow_unit`](super::Scalar::pow_unit) `exponent` * 6e-8 + 1e-7; `recip` and `div` are
+    /// correctly rounded.
+    f32, skin: 1.0 / 1024.0, shortest_square: 1e-30, pi: core::f32::consts::PI
 }

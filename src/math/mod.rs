@@ -4,9 +4,10 @@
 //! floating-point unit, [`Fixed`] those without, `f64` measures what the other two round away.
 
 mod angle;
+mod float;
+
 mod double;
 mod fixed;
-mod float;
 mod root;
 mod scalar;
 mod vec3;

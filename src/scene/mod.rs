@@ -4,7 +4,7 @@ mod buffer;
 mod check;
 
 pub use buffer::{Full, SceneBuffer};
-pub use check::{Fault, SceneError};
+pub use check::SceneError;
 
 use crate::color::Rgb;
 use crate::environment::Sky;

@@ -14,10 +14,10 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::aabb::Aabb;
+use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
-use crate::scene::Fault;
 use core::convert::Infallible;
 
 /// Is what a shape must be able to do.

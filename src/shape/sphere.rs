@@ -1,9 +1,9 @@
 use super::Intersect;
 use crate::aabb::Aabb;
+use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
-use crate::scene::Fault;
 
 /// Is a ball: the points with `|p - center| = radius`.
 ///

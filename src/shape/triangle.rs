@@ -1,9 +1,9 @@
 use super::Intersect;
 use crate::aabb::Aabb;
+use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
 use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
-use crate::scene::Fault;
 
 /// Is a triangle, seen from both sides: the points `a + u (b - a) + v (c - a)` with `u`, `v` and
 /// `1 - u - v` in [0, 1].
