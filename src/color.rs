@@ -1,6 +1,6 @@
 //! Linear light.
 
-use crate::math::{Scalar, Vec3};
+use crate::math::{Fixed, Scalar};
 use core::ops::{Add, AddAssign, Mul};
 
 /// Is linear light in the sRGB primaries: 1 is the panel's white before exposure.
@@ -21,6 +21,13 @@ impl<S> Rgb<S> {
     }
 }
 
+impl Rgb<Fixed> {
+    /// Rounds three literals, at compile time for a constant.
+    pub const fn from_f64(r: f64, g: f64, b: f64) -> Self {
+        Self::new(Fixed::new(r), Fixed::new(g), Fixed::new(b))
+    }
+}
+
 impl<S: Scalar> Rgb<S> {
     /// Is the absence of light.
     pub const BLACK: Self = Self::gray(S::ZERO);
@@ -37,9 +44,10 @@ impl<S: Scalar> Rgb<S> {
         self != Self::BLACK
     }
 
-    /// Tells whether every light may stand in a scene.
+    /// Tells whether every light may stand in a scene: from 0 to 1024, in every number.
     pub fn in_range(self) -> bool {
-        Vec3::new(self.r, self.g, self.b).in_range()
+        let limit = S::from_i32(1024);
+        [self.r, self.g, self.b].iter().all(|light| *light >= S::ZERO && *light <= limit)
     }
 }
 

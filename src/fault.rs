@@ -6,8 +6,11 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Fault {
-    /// A value is not a number, or larger than [`Scalar::LIMIT`](crate::Scalar::LIMIT).
+    /// A length is not a number or larger than [`Scalar::LIMIT`](crate::Scalar::LIMIT), or a light
+    /// is not from 0 to 1024.
     OutOfRange,
+    /// A mirror's weight is not from 0 to 1.
+    MirrorWeight,
     /// A radius is zero or negative.
     RadiusNotPositive,
     /// Corners coincide or lie on a line.
@@ -25,7 +28,10 @@ pub enum Fault {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OutOfRange => f.write_str("a value is not a number or too large for the number type"),
+            Self::OutOfRange => f.write_str(
+                "a value is not a number, too large for the number type, or light below 0 or above 1024",
+            ),
+            Self::MirrorWeight => f.write_str("its mirror weight is not between 0 and 1"),
             Self::RadiusNotPositive => f.write_str("its radius is not above zero"),
             Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
             Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),

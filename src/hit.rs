@@ -27,7 +27,7 @@ impl<S: Scalar> Crossing<S> {
 /// Is the surface at a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<S = f32> {
-    /// Point in world space, on the surface to the last digit the number has.
+    /// Point in world space, moved onto the surface as closely as the number allows.
     pub point: Vec3<S>,
     /// Outward normal of unit length.
     pub normal: Vec3<S>,

@@ -1,6 +1,7 @@
 //! What surfaces are made of.
 
 use crate::color::Rgb;
+use crate::fault::Fault;
 use crate::math::Scalar;
 use crate::texture::Texture;
 
@@ -85,11 +86,18 @@ impl<S: Scalar> Material<S> {
         self
     }
 
-    /// Tells whether every value is one a scene may contain.
-    pub fn in_range(&self) -> bool {
-        self.texture.in_range()
-            && self.ambient.in_range()
-            && self.specular.in_range()
-            && self.mirror.in_range()
+    /// Tells what is wrong with the material, if anything.
+    ///
+    /// # Errors
+    /// A value that no scene may contain, or a mirror that gives back more light than it gets.
+    pub fn check(&self) -> Result<(), Fault> {
+        let usable = self.texture.in_range() && self.ambient.in_range() && self.specular.in_range();
+        if !usable {
+            Err(Fault::OutOfRange)
+        } else if self.mirror >= S::ZERO && self.mirror <= S::ONE {
+            Ok(())
+        } else {
+            Err(Fault::MirrorWeight)
+        }
     }
 }

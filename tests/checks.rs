@@ -2,9 +2,12 @@
 
 mod support;
 
+use embedded_graphics::pixelcolor::Gray8;
+use embedded_graphics::prelude::Size;
 use scanray::{
     Camera, CameraError, Checker, Cuboid, Fault, Fixed, Full, Light, Material, Object, Plane, Projection,
-    Rgb, Scene, SceneBuffer, SceneError, Shape, Sky, Sphere, Texture, Triangle, Vec3,
+    Renderer, Rgb, Scene, SceneBuffer, SceneError, Settings, Shape, Sky, Sphere, Texture, Triangle, Vec3,
+    Workspace,
 };
 use support::{LIGHTS, MATERIALS, OBJECTS, ball, camera, scene, v};
 
@@ -37,6 +40,8 @@ fn faults_of_shapes_are_told_apart() {
     assert_eq!(triangle(v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)), None);
     assert_eq!(triangle(o, v(0.0, 1.0, 0.0)), Some(Fault::Degenerate));
     assert_eq!(triangle(v(1.0, 2.0, 3.0), v(2.0, 4.0, 6.0)), Some(Fault::Degenerate));
+    let off_the_axes = Triangle::new(v(0.1, 0.2, 0.35), v(0.2, 0.4, 0.7), v(0.41, 0.82, 1.435));
+    assert_eq!(fault_of(Shape::Triangle(off_the_axes)), Some(Fault::Degenerate));
     assert_eq!(triangle(v(1.0, f32::NAN, 3.0), v(2.0, 4.0, 6.0)), Some(Fault::OutOfRange));
     let plane = |normal| fault_of(Shape::Plane(Plane::new(o, normal)));
     assert_eq!(plane(v(0.0, 9.0, 0.0)), None);
@@ -62,14 +67,20 @@ fn faults_of_materials_lights_sky_and_ambient_light_are_named() {
     let check = |scene: Scene<'_>| scene.check().unwrap_err();
     for bad in [
         Material::matte(nan),
+        Material::matte(Rgb::gray(-0.1)),
+        Material::matte(Rgb::gray(1e15)),
         Material::matte(Rgb::BLACK).with_specular(nan, 5),
-        Material::matte(Rgb::BLACK).with_mirror(f32::NAN),
         Material::matte(Rgb::BLACK).with_ambient(f32::INFINITY),
         Material::textured(Texture::Checker(Checker::new(Rgb::BLACK, nan, 1.0))),
     ] {
         let materials = [MATERIALS[0], MATERIALS[1], MATERIALS[2], bad];
         let error = check(Scene { materials: &materials, ..scene() });
         assert_eq!(error, SceneError::Material(3, Fault::OutOfRange));
+    }
+    for weight in [f32::NAN, -0.5, 1.5] {
+        let materials = [Material::matte(Rgb::BLACK).with_mirror(weight), MATERIALS[1], MATERIALS[2]];
+        let error = check(Scene { materials: &materials, ..scene() });
+        assert_eq!(error, SceneError::Material(0, Fault::MirrorWeight), "{weight}");
     }
     let light = |light| check(Scene { lights: &[LIGHTS[0], light], ..scene() });
     let o = v(0.0, 0.0, 0.0);
@@ -99,6 +110,8 @@ fn cameras_that_see_nothing_are_refused() {
     assert_eq!(frame(good), None);
     assert_eq!(frame(Camera { center: good.eye, ..good }), Some(CameraError::NoDirection));
     assert_eq!(frame(Camera { up: good.eye - good.center, ..good }), Some(CameraError::NoDirection));
+    let along = Camera::perspective(v(0.1, 0.2, 0.35), v(0.3, 0.6, 1.05), v(0.1, 0.2, 0.35), 45.0);
+    assert_eq!(frame(along), Some(CameraError::NoDirection));
     assert_eq!(frame(Camera { eye: v(f32::NAN, 0.0, 0.0), ..good }), Some(CameraError::OutOfRange));
     for fovy in [0.0, -10.0, 180.0] {
         let projection = Projection::Perspective { fovy };
@@ -112,6 +125,37 @@ fn cameras_that_see_nothing_are_refused() {
     for (columns, rows) in [(0, 30), (40, 0), (40_000, 30)] {
         assert_eq!(good.frame(columns, rows).err(), Some(CameraError::BadSize));
     }
+}
+
+#[test]
+fn a_window_that_fixed_point_cannot_hold_is_refused() {
+    let o = Vec3::from_f64(0.0, 0.0, 0.0);
+    let (ahead, up) = (Vec3::from_f64(0.0, 0.0, -1.0), Vec3::from_f64(0.0, 1.0, 0.0));
+    let [one, far] = [Fixed::new(1.0), Fixed::new(100.0)];
+    let close = Camera::frustum([o, ahead, up], [-one, one, -one, one], [Fixed::new(0.0002), far]);
+    assert_eq!(close.frame(40, 30).err(), Some(CameraError::OutOfRange));
+    let wide = Camera::orthographic(o, ahead, up, Fixed::new(1000.0));
+    assert_eq!(wide.frame(50, 10).err(), Some(CameraError::OutOfRange));
+    assert_eq!(wide.frame(10, 10).err(), None);
+}
+
+#[test]
+fn as_many_objects_as_can_be_named_are_drawn_and_one_more_is_refused() {
+    // All but one behind the eye.
+    let mut crowd = vec![ball(0.0, 0.0, 50.0, 1.0, 0); 65_536];
+    crowd[65_535] = ball(0.0, 0.0, -50.0, 1.0, 0);
+    let materials = [Material::matte(Rgb::WHITE)];
+    let lights = [Light::point(v(0.0, 9.0, 0.0), Rgb::WHITE)];
+    let all = Scene::new(&crowd, &materials, &lights);
+    assert_eq!(all.check(), Err(SceneError::Object(65_536, Fault::TooMany)));
+    let scene = Scene { objects: &crowd[1..], ..all };
+    let camera = Camera::perspective(v(0.0, 0.0, 0.0), v(0.0, 0.0, -1.0), v(0.0, 1.0, 0.0), 2.0);
+    let mut workspace = Workspace::<f32, Gray8, 1, 0>::new();
+    let settings = Settings::new().with_depth(0);
+    let mut renderer = Renderer::new(&scene, &camera, Size::new(1, 1), settings, &mut workspace).unwrap();
+    let mut light = Rgb::BLACK;
+    renderer.trace_row(0, 0..1, &mut (), |_, color| light = color).unwrap();
+    assert!(light.is_lit());
 }
 
 #[test]

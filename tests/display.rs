@@ -90,6 +90,8 @@ fn a_part_outside_the_picture_draws_nothing() {
     let mut display = StrictDisplay::<Rgb565>::sized(40, 30);
     let part = Rectangle::new(Point::new(60, 5), Size::new(4, 4));
     renderer.draw_part(&part, Point::zero(), &mut display).unwrap();
+    let nothing = Rectangle::new(Point::new(3, 5), Size::new(0, 100));
+    renderer.draw_part(&nothing, Point::zero(), &mut display).unwrap();
     assert!(display.fills.is_empty());
 }
 

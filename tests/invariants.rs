@@ -3,11 +3,12 @@
 mod support;
 
 use embedded_graphics::prelude::Size;
+use scanray::gallery::{Gallery, View};
 use scanray::ray::{Interval, Ray};
 use scanray::trace::{Observer, RayCounts, RayKind, nearest};
 use scanray::{
-    Camera, Cuboid, Light, Material, Object, Projection, Renderer, Rgb, Scene, SceneBuffer, Settings, Shape,
-    Sky, Sphere, Triangle, Workspace,
+    Camera, Cuboid, Fixed, Light, Material, Object, Projection, Renderer, Rgb, Scene, SceneBuffer, Settings,
+    Shape, Sky, Sphere, Triangle, Workspace,
 };
 use support::{LIGHTS, MATERIALS, OBJECTS, ball, camera, scene, v};
 
@@ -42,6 +43,51 @@ fn the_order_of_the_objects_does_not_matter() {
     reversed.reverse();
     let backward = light_of(&Scene { objects: &reversed, ..scene() }, &camera(), 3);
     assert_eq!(forward, backward);
+}
+
+/// Draws a view of the gallery, small, its objects in the order given.
+fn light_of_view<S: Gallery>(view: &View<S>, objects: &[Object<S>], part: (u32, u32)) -> Vec<Rgb<S>> {
+    let scene = Scene { objects, ..view.scene };
+    let mut workspace = Workspace::<S, [u8; 2], 0, 8>::new();
+    let size = Size::new(WIDTH, HEIGHT);
+    let mut renderer = Renderer::new(&scene, &view.camera, size, view.settings, &mut workspace).unwrap();
+    let mut light = Vec::new();
+    for y in 0..HEIGHT {
+        renderer.trace_row(y, part.0..part.1, &mut (), |_, color| light.push(color)).unwrap();
+    }
+    light
+}
+
+fn order_does_not_matter<S: Gallery>() {
+    for view in S::views() {
+        let reversed: Vec<_> = view.scene.objects.iter().rev().copied().collect();
+        let pictures = [view.scene.objects, &reversed].map(|o| light_of_view(view, o, (0, WIDTH)));
+        assert!(pictures[0] == pictures[1], "{}", view.name);
+    }
+}
+
+#[test]
+fn the_order_of_the_gallery_s_objects_does_not_matter_in_any_number() {
+    order_does_not_matter::<f32>();
+    order_does_not_matter::<Fixed>();
+    order_does_not_matter::<f64>();
+}
+
+fn halves_make_the_whole<S: Gallery>() {
+    for view in S::views() {
+        let draw = |from, to| light_of_view(view, view.scene.objects, (from, to));
+        let (left, right) = (draw(0, 41), draw(41, WIDTH));
+        let rows = left.chunks(41).zip(right.chunks(WIDTH as usize - 41));
+        let joined: Vec<_> = rows.flat_map(|(left, right)| [left, right].concat()).collect();
+        assert!(joined == draw(0, WIDTH), "{}", view.name);
+    }
+}
+
+#[test]
+fn rows_of_the_gallery_can_be_drawn_in_parts_in_any_number() {
+    halves_make_the_whole::<f32>();
+    halves_make_the_whole::<Fixed>();
+    halves_make_the_whole::<f64>();
 }
 
 #[test]

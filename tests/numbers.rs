@@ -122,6 +122,11 @@ fn wide_fractions_of_fixed_point_numbers_are_exact() {
     let third = wide(Fixed::ONE).scale(1, 3);
     assert!((Fixed::narrow(third).to_f64() - 1.0 / 3.0).abs() <= STEP / 2.0);
     assert_eq!(Fixed::narrow(third + third + third), Fixed::ONE);
+    // 900 * 15999 / 16000: the product alone would not fit.
+    let edge = Fixed::narrow(wide(Fixed::new(900.0)).scale(15_999, 16_000)).to_f64();
+    assert!((edge - 900.0 * 15_999.0 / 16_000.0).abs() <= STEP);
+    let negative = Fixed::narrow(wide(Fixed::new(-900.0)).scale(15_999, 16_000)).to_f64();
+    assert!((negative + edge).abs() <= STEP);
 }
 
 fn directions() -> impl Iterator<Item = [f64; 3]> {
@@ -191,12 +196,14 @@ fn tangents_of_half_angles_are_right() {
 #[test]
 fn floors_go_down_on_both_sides_of_zero() {
     for (x, floor) in [(1.5, 1), (-1.5, -2), (-1.0, -1), (0.0, 0), (-0.001, -1)] {
-        assert_eq!(Scalar::floor(x as f32), floor);
-        assert_eq!(Scalar::floor(x), floor);
-        assert_eq!(Scalar::floor(Fixed::new(x)), floor);
+        assert_eq!(<f32 as Scalar>::floor(x as f32), floor);
+        assert_eq!(<f64 as Scalar>::floor(x), floor);
+        assert_eq!(Fixed::floor(wide(Fixed::new(x))), floor);
     }
-    assert_eq!(Scalar::floor(-1e30_f32), i32::MIN);
-    assert_eq!(Scalar::floor(f32::NAN), 0);
+    assert_eq!(<f32 as Scalar>::floor(-1e30), i32::MIN);
+    assert_eq!(<f32 as Scalar>::floor(f32::NAN), 0);
+    // Beyond the range of the plain number, where a chessboard may still have tiles.
+    assert_eq!(Fixed::floor(Fixed::new(1000.5).mul_wide(Fixed::new(10.0))), 10_005);
 }
 
 #[test]

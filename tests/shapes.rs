@@ -29,6 +29,8 @@ in_every_number! {
     each_face_of_a_box_is_named_and_faces_outward,
     from_inside_a_box_the_way_out_is_found,
     a_box_without_height_is_a_rectangle,
+    a_ray_that_skims_a_box_is_not_bent,
+    no_ray_slips_through_between_two_triangles,
     a_triangle_is_hit_inside_its_edges_and_from_both_sides,
     a_large_triangle_does_not_overflow,
     a_plane_is_hit_once_and_never_again,
@@ -182,6 +184,32 @@ mod checks {
         kit.assert_near(kit.t(cube(&kit).intersect_leaving(&across, &ahead())), 4.0);
         let away = kit.ray([0.0, 2.0, 0.0], [0.3, 1.0, 0.0]);
         assert!(cube(&kit).intersect_leaving(&away, &ahead()).is_none());
+    }
+
+    pub fn a_ray_that_skims_a_box_is_not_bent<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let slab = Cuboid::new(kit.v(-50.0, -1.0, -200.0), kit.v(50.0, 0.0, 0.0));
+        // 0.01 above and falling 1e-4 a unit: it touches down 100 units away, beyond a reciprocal's
+        // reach in fixed point.
+        let ray = kit.ray([0.0, 0.01, 0.0], [0.0, -1e-4, -1.0]);
+        let t = kit.t(slab.intersect(&ray, &ahead())).expect("a hit");
+        // One step of the direction, 1e-6 of 1e-4, is one unit of the distance.
+        assert!((t - 100.0).abs() < 1.0, "touches down at {t}");
+        let shorter = Cuboid::new(kit.v(-50.0, -1.0, -90.0), kit.v(50.0, 0.0, 0.0));
+        assert!(shorter.intersect(&ray, &ahead()).is_none());
+    }
+
+    pub fn no_ray_slips_through_between_two_triangles<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let corners = [[-1.7, 0.3, -4.1], [2.9, -0.8, -5.3], [0.4, 3.1, -6.2], [1.1, -2.7, -4.4]];
+        let [a, b, c, d] = corners.map(|[x, y, z]| kit.v(x, y, z));
+        let sides = [Triangle::new(a, b, c), Triangle::new(b, a, d)];
+        for i in 1..1000 {
+            let along = f64::from(i) / 1000.0;
+            let at = |k: usize| corners[0][k] + (corners[1][k] - corners[0][k]) * along;
+            let ray = kit.ray([0.0, 0.0, 0.0], [at(0), at(1), at(2)]);
+            assert!(sides.iter().any(|side| side.intersect(&ray, &ahead()).is_some()), "at {along}");
+        }
     }
 
     pub fn a_box_without_height_is_a_rectangle<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {

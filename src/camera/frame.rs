@@ -103,6 +103,13 @@ fn check_values<S: Scalar>(camera: &Camera<S>) -> Result<(), CameraError> {
     }
 }
 
+/// Answers the unit vector across two directions; `None` where they are parallel.
+fn across<S: Scalar>(up: Vec3<S>, ze: Vec3<S>) -> Option<Vec3<S>> {
+    // Unit length first, so that a long `up` cannot saturate the product.
+    let (unit, sine) = up.normalize()?.0.cross(ze).normalize()?;
+    (sine > S::PARALLEL).then_some(unit)
+}
+
 impl<S: Scalar> Camera<S> {
     /// Makes the camera ready for a picture of so many columns and rows.
     ///
@@ -117,13 +124,14 @@ impl<S: Scalar> Camera<S> {
             return Err(CameraError::BadSize);
         };
         let [left, right, bottom, top] = window(self, [columns, rows])?;
+        if ![left, right, bottom, top].iter().all(|edge| edge.in_range()) {
+            return Err(CameraError::OutOfRange);
+        }
         if left == right || bottom == top {
             return Err(CameraError::NoWindow);
         }
-        let unit = |v: Vec3<S>| v.normalize().map(|(unit, _)| unit).ok_or(CameraError::NoDirection);
-        let ze = unit(self.eye - self.center)?;
-        // Unit up first, so that a long one cannot saturate the product.
-        let xe = unit(unit(self.up)?.cross(ze))?;
+        let (ze, _) = (self.eye - self.center).normalize().ok_or(CameraError::NoDirection)?;
+        let xe = across(self.up, ze).ok_or(CameraError::NoDirection)?;
         let ye = ze.cross(xe);
         let parallel = matches!(self.projection, Projection::Orthographic { .. });
         let depth = if parallel { WideVec3::ZERO } else { ze.mul_wide(-S::ONE) };

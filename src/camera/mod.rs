@@ -57,7 +57,7 @@ pub struct Camera<S = f32> {
 }
 
 impl<S: Scalar> Camera<S> {
-    /// Makes a camera of any projection that sees from `near` to `far`.
+    /// Makes a camera of any projection: eye, center and up, then the depths it sees between.
     pub const fn new(
         [eye, center, up]: [Vec3<S>; 3],
         projection: Projection<S>,
@@ -69,6 +69,13 @@ impl<S: Scalar> Camera<S> {
     /// Makes a pinhole camera with an angle between lower and upper edge of `fovy` degrees.
     pub const fn perspective(eye: Vec3<S>, center: Vec3<S>, up: Vec3<S>, fovy: S) -> Self {
         Self::new([eye, center, up], Projection::Perspective { fovy }, [S::ZERO, S::FAR])
+    }
+
+    /// Makes a pinhole camera of eye, center and up, a window on the near plane given by its left,
+    /// right, lower and upper edge, and the near and far depth.
+    pub const fn frustum(points: [Vec3<S>; 3], window: [S; 4], depths: [S; 2]) -> Self {
+        let [left, right, bottom, top] = window;
+        Self::new(points, Projection::Frustum { left, right, bottom, top }, depths)
     }
 
     /// Makes a camera with parallel rays and a window of this height.

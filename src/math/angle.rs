@@ -1,6 +1,6 @@
 use super::{Scalar, Wide};
 
-/// Answers tan(angle / 2) of an angle in degrees, 0 to below 180, within 2e-5 in fixed
+/// Answers tan(angle / 2) of an angle in degrees, 0 to below 180; up to 120 degrees within 2e-5 in fixed
 /// point up to 120 degrees, 1e-6 of it in `f32` and 2e-15 of it in `f64`.
 ///
 /// A camera takes its angle once a frame, so the formula may be slow: a quarter of the angle goes

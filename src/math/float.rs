@@ -33,6 +33,8 @@ macro_rules! float_scalar {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const HALF: Self = 0.5;
+            const BELOW_ONE: Self = 1.0 - <$float>::EPSILON / 2.0;
+            const PARALLEL: Self = 1.0 / 65_536.0;
             const PI: Self = $pi;
             const FAR: Self = 1e18;
             // Three squares of a difference of two such coordinates are 1.2e33, and f32 ends at 3.4e38.
@@ -75,9 +77,9 @@ macro_rules! float_scalar {
                 Self::div(1.0, self)
             }
 
-            fn floor(self) -> i32 {
-                let whole = self as i32;
-                if (whole as $float) > self { whole.saturating_sub(1) } else { whole }
+            fn floor(wide: $float) -> i32 {
+                let whole = wide as i32;
+                if (whole as $float) > wide { whole.saturating_sub(1) } else { whole }
             }
 
             fn pow_unit(self, exponent: u16) -> Self {

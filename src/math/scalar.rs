@@ -4,8 +4,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// Is a number that rays can be traced in.
 ///
 /// It asks only for what a float and a fixed-point number can both answer honestly: no
-/// trigonometry and no general powers. Operators saturate where the number has an end; nothing
-/// wraps and nothing panics.
+/// trigonometry and no general powers. Operators of fixed point saturate, those of floats go to
+/// infinity; nothing wraps and nothing panics.
 pub trait Scalar:
     Copy
     + PartialEq
@@ -17,7 +17,8 @@ pub trait Scalar:
     + Neg<Output = Self>
     + 'static
 {
-    /// Holds products of two scalars and their sums without losing digits.
+    /// Holds products of two scalars and their sums: in fixed point every digit, in floats as many
+    /// as the float has.
     type Wide: Wide;
 
     /// Is 0.
@@ -26,6 +27,11 @@ pub trait Scalar:
     const ONE: Self;
     /// Is 1/2.
     const HALF: Self;
+    /// Is the largest value below 1.
+    const BELOW_ONE: Self;
+    /// Is the sine of the angle below which two directions count as parallel, 2^-16: ten times what
+    /// rounding makes of parallel ones in the coarsest number.
+    const PARALLEL: Self;
     /// Is the half circumference of the unit circle.
     const PI: Self;
     /// Stands for "infinitely far": no hit is looked for beyond this distance.
@@ -47,8 +53,8 @@ pub trait Scalar:
     fn div(numerator: Self::Wide, denominator: Self::Wide) -> Self;
     /// Answers 1/self; for 0 the largest value.
     fn recip(self) -> Self;
-    /// Rounds down to a whole number; saturates.
-    fn floor(self) -> i32;
+    /// Rounds a wide value down to a whole number; saturates.
+    fn floor(wide: Self::Wide) -> i32;
     /// Raises a value of [0, 1] to a whole power by repeated squaring.
     fn pow_unit(self, exponent: u16) -> Self;
     /// Scales a vector to unit length and answers it with the length it had; `None` for zero.

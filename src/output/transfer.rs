@@ -10,7 +10,7 @@ pub enum Transfer {
 
 /// Is how many pieces each doubling of the light is cut into.
 ///
-/// 32 keep the chord within 4e-5 of the curve: 1/100 of a step of an 8-bit channel.
+/// 32 keep the chord within 5e-5 of the curve: 1/100 of a step of an 8-bit channel.
 const PIECES: usize = 32;
 /// Is the doubling in which the curve's straight foot ends: 0.0031308 * 2^24 lies above 2^15.
 const FIRST_DOUBLING: u32 = 15;
@@ -66,7 +66,7 @@ fn srgb(light: u32) -> u32 {
 }
 
 impl Transfer {
-    /// Answers the level of a 24-bit light as a fraction of 2^16, within 4e-5 of the exact curve.
+    /// Answers the level of a 24-bit light as a fraction of 2^16, within 5e-5 of the exact curve.
     pub fn level(self, light: u32) -> u32 {
         match self {
             Self::Srgb => srgb(light.min(1 << 24)),

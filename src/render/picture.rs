@@ -1,5 +1,5 @@
+use super::Settings;
 use super::workspace::Scratch;
-use super::{RowError, Settings};
 use crate::camera::Frame;
 use crate::color::Rgb;
 use crate::math::Scalar;
@@ -20,7 +20,7 @@ pub(super) struct Picture<'a, S: Scalar, X> {
 }
 
 impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
-    /// Hands each pixel of `columns` in row `y` its linear light, left to right.
+    /// Hands each pixel of `columns` in row `y`, a row of the picture, its linear light, left to right.
     pub fn trace_row<const DEPTH: usize>(
         &self,
         scratch: &mut Scratch<S, DEPTH>,
@@ -28,10 +28,7 @@ impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
         columns: Range<u32>,
         observer: &mut impl Observer,
         mut pixel: impl FnMut(u32, Rgb<S>),
-    ) -> Result<(), RowError> {
-        if y >= self.size.height {
-            return Err(RowError::NoSuchRow(y));
-        }
+    ) {
         let columns = columns.start..columns.end.min(self.size.width);
         let Scratch { waiting, candidates } = scratch;
         candidates.find(&self.scene, &self.frame, y);
@@ -40,7 +37,6 @@ impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
             let light = tracer.radiance(&primary.ray, &primary.interval, candidates.iter(), observer);
             pixel(x, light * self.settings.exposure);
         }
-        Ok(())
     }
 
     /// Fills `places` with the colours of `columns` in row `y`.
@@ -50,13 +46,13 @@ impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
         y: u32,
         columns: Range<u32>,
         places: &mut [P],
-    ) -> Result<(), RowError> {
+    ) {
         let Settings { transfer, dither, .. } = self.settings;
         let mut places = places.iter_mut();
         self.trace_row(scratch, y, columns, &mut (), |x, light| {
             if let Some(place) = places.next() {
                 *place = P::from_light(light, Quantizer::new(transfer, dither, x, y));
             }
-        })
+        });
     }
 }

@@ -63,6 +63,8 @@ where
 
     /// Traces the pixels `columns` of row `y` and hands each its linear light, left to right.
     ///
+    /// Columns beyond the picture are left out.
+    ///
     /// # Errors
     /// [`RowError::NoSuchRow`] below the picture.
     pub fn trace_row(
@@ -72,7 +74,13 @@ where
         observer: &mut impl Observer,
         pixel: impl FnMut(u32, Rgb<S>),
     ) -> Result<(), RowError> {
-        self.picture.trace_row(&mut self.workspace.scratch, y, columns, observer, pixel)
+        self.row_exists(y)?;
+        self.picture.trace_row(&mut self.workspace.scratch, y, columns, observer, pixel);
+        Ok(())
+    }
+
+    fn row_exists(&self, y: u32) -> Result<(), RowError> {
+        if y < self.picture.size.height { Ok(()) } else { Err(RowError::NoSuchRow(y)) }
     }
 
     /// Renders row `y` into a buffer of the caller's: the door for those who feed a display by DMA.
@@ -87,7 +95,9 @@ where
         if row.len() != width as usize {
             return Err(RowError::BufferLength { width, length: row.len() });
         }
-        self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row)
+        self.row_exists(y)?;
+        self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row);
+        Ok(())
     }
 }
 
@@ -133,13 +143,16 @@ where
     ) -> Result<(), D::Error> {
         const { assert!(WIDTH > 0, "drawing needs a workspace with room for a row") };
         let part = part.intersection(&Rectangle::new(Point::zero(), self.picture.size));
+        if part.is_zero_sized() {
+            return Ok(());
+        }
         let Point { x: left, y: top } = part.top_left;
         let columns = left as u32..left as u32 + part.size.width;
         let Workspace { scanline, scratch } = &mut *self.workspace;
-        let Some(pixels) = scanline.get_mut(..columns.len()) else { return Ok(()) };
+        // No row is longer than WIDTH: `new` has seen to it.
+        let (pixels, _) = scanline.split_at_mut(columns.len().min(WIDTH));
         for y in top as u32..top as u32 + part.size.height {
-            // The part lies inside the picture, so the row exists.
-            let _ = self.picture.encode_row(scratch, y, columns.clone(), pixels);
+            self.picture.encode_row(scratch, y, columns.clone(), pixels);
             let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
             let row = Rectangle::new(place, Size::new(part.size.width, 1));
             target.fill_contiguous(&row, pixels.iter().copied())?;

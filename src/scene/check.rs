@@ -2,6 +2,7 @@ use super::{Object, Scene};
 use crate::environment::Sky;
 use crate::fault::Fault;
 use crate::light::Light;
+use crate::material::Material;
 use crate::math::{Scalar, Vec3};
 use crate::shape::Intersect;
 use core::fmt;
@@ -96,7 +97,7 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
             return Err(SceneError::Object(self.objects.len(), Fault::TooMany));
         }
         each(self.objects, SceneError::Object, |o| check_object(o, self.materials.len()))?;
-        each(self.materials, SceneError::Material, |m| in_range(m.in_range()))?;
+        each(self.materials, SceneError::Material, Material::check)?;
         each(self.lights, SceneError::Light, check_light)?;
         check_sky(&self.sky).map_err(SceneError::Sky)?;
         in_range(self.ambient.in_range()).map_err(SceneError::Ambient)

@@ -33,7 +33,7 @@ impl<S, X> Object<S, X> {
 /// Is all there is to see: borrowed, so that a `static` scene costs no RAM.
 ///
 /// The same scene from flash and from a [`SceneBuffer`] draws the same picture. The order of the
-/// objects does not matter.
+/// objects does not matter, but where two surfaces coincide: there the first one listed is seen.
 #[derive(Debug, PartialEq)]
 pub struct Scene<'a, S = f32, X = Infallible> {
     /// Shapes with their materials.

@@ -45,8 +45,9 @@ impl<S: Scalar> Cuboid<S> {
                     return None;
                 }
             } else {
-                let inverse = d.recip();
-                let (to_low, to_high) = ((low - o) * inverse, (high - o) * inverse);
+                // Divided, not multiplied by 1/d: of a slope below 1/2048 fixed point has no reciprocal.
+                let distance = |level: S| S::div((level - o).mul_wide(S::ONE), d.mul_wide(S::ONE));
+                let (to_low, to_high) = (distance(low), distance(high));
                 let (first, last) = if d > S::ZERO {
                     ((to_low, face), (to_high, face + 1))
                 } else {
@@ -76,9 +77,13 @@ impl<S: Scalar> Cuboid<S> {
         }
     }
 
-    /// Answers a point's place between the low and the high corner, from 0 to 1 on each axis.
+    /// Answers a point's place between the low and the high corner, from 0 to below 1 on each axis.
     fn place(&self, point: Vec3<S>) -> Vec3<S> {
-        let share = |p: S, low: S, high: S| S::div((p - low).mul_wide(S::ONE), (high - low).mul_wide(S::ONE));
+        let share = |p: S, low: S, high: S| {
+            let share = S::div((p - low).mul_wide(S::ONE), (high - low).mul_wide(S::ONE));
+            // A rounding beyond the rim would be a tile too far.
+            share.max(S::ZERO).min(S::BELOW_ONE)
+        };
         Vec3::new(
             share(point.x, self.low.x, self.high.x),
             share(point.y, self.low.y, self.high.y),

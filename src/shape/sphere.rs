@@ -9,7 +9,7 @@ use crate::ray::{Interval, Ray};
 ///
 /// With `b = d.(c - o)` and `h^2 = r^2 - |(c - o) - b d|^2` a ray of unit direction crosses it at
 /// `b - h` and `b + h` (the form of Haines, Günther and Akenine-Möller 2019, in *Ray Tracing Gems*,
-/// that does not subtract two large squares; row O1).
+/// that does not subtract two large squares; row O1). It has no texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<S = f32> {
     /// Middle of the ball.
@@ -29,6 +29,10 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
     fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
         let to_center = self.center - ray.origin;
         let b = to_center.dot(ray.direction);
+        // Saturated: the ball is farther away than anything is looked for.
+        if b.abs() >= S::FAR {
+            return None;
+        }
         let across = to_center - ray.direction * b;
         let square = self.radius.mul_wide(self.radius) - across.dot_wide(across);
         if square < S::ZERO.mul_wide(S::ZERO) {

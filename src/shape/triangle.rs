@@ -38,7 +38,8 @@ impl<S: Scalar> Triangle<S> {
         // Unit edges first: the product of two long ones would not fit a fixed-point number.
         let (e, f) = self.edges();
         let (e, f) = (e.normalize()?.0, f.normalize()?.0);
-        Some(e.cross(f).normalize()?.0)
+        let (normal, sine) = e.cross(f).normalize()?;
+        (sine > S::PARALLEL).then_some(normal)
     }
 
     fn point(&self, u: S, v: S) -> Vec3<S> {
@@ -58,7 +59,9 @@ impl<S: Scalar> Intersect<S> for Triangle<S> {
         // Both signs of the determinant are a hit: one from each side.
         let (determinant, u, v) =
             if determinant < S::Wide::ZERO { (-determinant, -u, -v) } else { (determinant, u, v) };
-        let outside = u < S::Wide::ZERO || v < S::Wide::ZERO || u + v > determinant;
+        // A little beyond each edge, so that no ray slips through between two triangles: 1/65536.
+        let slack = determinant.scale(1, 1 << 16);
+        let outside = u < -slack || v < -slack || u + v > determinant + slack;
         if outside || determinant == S::Wide::ZERO {
             return None;
         }

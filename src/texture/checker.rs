@@ -2,6 +2,8 @@ use crate::color::Rgb;
 use crate::math::Scalar;
 
 /// Is a chessboard: tile (i, j) = floor((u, v) per_unit) is even where i + j is (row T5).
+///
+/// A sphere has no texture coordinates: all of it is the tile at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checker<S = f32> {
     /// Colour of the tile between the origin and (1, 1) tiles.
@@ -22,7 +24,7 @@ impl<S> Checker<S> {
 impl<S: Scalar> Checker<S> {
     /// Answers the colour of the tile at texture coordinates.
     pub fn color(&self, u: S, v: S) -> Rgb<S> {
-        let tile = (u * self.per_unit).floor() ^ (v * self.per_unit).floor();
+        let tile = S::floor(u.mul_wide(self.per_unit)) ^ S::floor(v.mul_wide(self.per_unit));
         if tile & 1 == 0 { self.even } else { self.odd }
     }
 

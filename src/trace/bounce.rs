@@ -22,9 +22,9 @@ pub struct Bounce<S = f32> {
 
 /// Traces rays through a scene, bounces as a loop over a stack of `DEPTH` places.
 ///
-/// The loop goes depth first. A surface sends on at most one ray beside the one that is followed
-/// at once, and no surface below level `depth` sends any, so at most `depth` rays ever wait: the
-/// stack cannot overflow while `depth <= DEPTH`.
+/// The loop goes depth first, and a surface below level `depth` sends on nothing. With mirrors a
+/// surface sends on one ray, so one waits at most. Were it two, one would be taken at once and the
+/// other wait, one for each level: never more than `depth` of them, and `depth <= DEPTH`.
 #[derive(Debug)]
 pub struct Tracer<'a, 's, S: Scalar, X, const DEPTH: usize> {
     scene: &'s Scene<'a, S, X>,

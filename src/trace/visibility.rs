@@ -53,7 +53,7 @@ pub fn occluded<S: Scalar, X: Intersect<S>>(
     interval: &Interval<S>,
     leaving: Option<u16>,
 ) -> bool {
-    (0..)
-        .zip(scene.objects)
-        .any(|(index, object)| meet(object, leaving == Some(index), ray, interval).is_some())
+    let leaving = leaving.map(usize::from);
+    let mut objects = scene.objects.iter().enumerate();
+    objects.any(|(index, object)| meet(object, leaving == Some(index), ray, interval).is_some())
 }
