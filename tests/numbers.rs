@@ -74,20 +74,40 @@ fn the_root_of_a_fixed_point_number_is_right_to_a_step() {
 fn fixed_point_division_is_right_to_a_step() {
     let pairs = steps().step_by(7).flat_map(|n| steps().step_by(41).map(move |d| (n, d)));
     worst_error(
-        STEP,
+        1.0,
         pairs.filter(|(n, d)| n.to_f64() / d.to_f64() < 2047.0).map(|(n, d)| {
             let negative = Fixed::div(wide(-n), wide(d));
             let positive = Fixed::div(wide(n), wide(d));
             assert_eq!(-negative, positive);
-            positive.to_f64() - n.to_f64() / d.to_f64()
+            let exact = n.to_f64() / d.to_f64();
+            (positive.to_f64() - exact) / (STEP + 4e-9 * exact)
         }),
     );
 }
 
 #[test]
+fn fixed_point_division_of_wide_values_is_right_and_saturates() {
+    let large = Fixed::new(1800.0);
+    let square = large.mul_wide(large);
+    assert_eq!(Fixed::div(square, square), Fixed::ONE);
+    assert_eq!(Fixed::div(-square, square + square), Fixed::new(-0.5));
+    let least = Fixed::STEP.mul_wide(Fixed::STEP);
+    assert_eq!(Fixed::div(least, square), Fixed::ZERO);
+    assert_eq!(Fixed::div(square, least), Fixed::MAX);
+    assert_eq!(Fixed::div(-square, least), -Fixed::MAX);
+    assert_eq!(Fixed::div(FixedWide::ZERO, square), Fixed::ZERO);
+    assert_eq!(Fixed::div(square, FixedWide::ZERO), Fixed::MAX);
+    let limit = wide(Fixed::new(2047.5));
+    let back = Fixed::div(limit, wide(Fixed::ONE)).to_f64();
+    assert!((back - 2047.5).abs() <= STEP + 2048.0 * 4e-9);
+    assert_eq!(Fixed::div(limit + wide(Fixed::ONE), wide(Fixed::ONE)), Fixed::MAX);
+}
+
+#[test]
 fn reciprocals_are_right_to_a_step() {
     let usable = steps().filter(|x| x.to_f64() > 1.0 / 2047.0);
-    worst_error(STEP, usable.map(|x| x.recip().to_f64() - 1.0 / x.to_f64()));
+    let bound = |x: f64| STEP + 4e-9 / x;
+    worst_error(1.0, usable.map(|x| (x.recip().to_f64() - 1.0 / x.to_f64()) / bound(x.to_f64())));
     assert_eq!(Fixed::new(-4.0).recip(), Fixed::new(-0.25));
     assert_eq!(Fixed::ZERO.recip(), Fixed::MAX);
 }

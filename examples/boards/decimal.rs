@@ -1,13 +1,13 @@
 //! Numbers as text without `core::fmt`, which would be a quarter of such a small image.
 
-/// The ten digits at most of a `u32`.
+/// Holds the ten digits at most of a `u32`.
 pub struct Decimal {
     digits: [u8; 10],
     first: usize,
 }
 
 impl Decimal {
-    /// The decimal digits of `number`.
+    /// Answers the decimal digits of `number`.
     pub fn new(mut number: u32) -> Self {
         let mut digits = [b'0'; 10];
         let mut first = digits.len();
@@ -22,7 +22,7 @@ impl Decimal {
         Self { digits, first }
     }
 
-    /// The digits without leading zeros.
+    /// Answers the digits without leading zeros.
     pub fn as_bytes(&self) -> &[u8] {
         self.digits.get(self.first..).unwrap_or_default()
     }

@@ -4,10 +4,10 @@ use embedded_graphics::{pixelcolor::PixelColor, prelude::*, primitives::Rectangl
 
 /// Hears when the work changes hands.
 pub trait Stopwatch {
-    /// The core begins, or goes on, to render.
+    /// Hears that the core begins, or goes on, to render.
     fn rendering(&mut self);
 
-    /// The panel's driver takes over.
+    /// Hears that the panel's driver takes over.
     fn sending(&mut self);
 }
 
@@ -18,7 +18,7 @@ pub struct Watched<'a, D, W> {
 }
 
 impl<'a, D: DrawTarget, W: Stopwatch> Watched<'a, D, W> {
-    /// Rendering begins now.
+    /// Begins to watch: rendering begins now.
     pub fn new(panel: &'a mut D, watch: &'a mut W) -> Self {
         watch.rendering();
         Self { panel, watch }

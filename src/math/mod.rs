@@ -8,6 +8,7 @@ mod float;
 
 mod double;
 mod fixed;
+mod reciprocal;
 mod root;
 mod scalar;
 mod vec3;

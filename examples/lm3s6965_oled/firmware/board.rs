@@ -17,10 +17,10 @@ use super::{
     watched::Stopwatch,
 };
 
-/// The panel on its bus.
+/// Is the panel on its bus.
 pub type Panel = Ssd0323<Ssi, DataCommand>;
 
-/// What the panel may complain about.
+/// Names what the panel may complain about.
 pub type PanelError = Error<Infallible, Infallible>;
 
 /// Runs the chip at 50 MHz (the PLL's 200 MHz, divided by 4) and connects what this firmware uses.
@@ -86,7 +86,7 @@ fn start_serial_ports() {
     UART_CTL.write(0x301);
 }
 
-/// The D/C pin of the panel.
+/// Drives the D/C pin of the panel.
 pub struct DataCommand;
 
 impl DataCommand {
@@ -109,7 +109,7 @@ impl OutputPin for DataCommand {
     }
 }
 
-/// SSI0 with its own select pin, which nothing but the panel hears.
+/// Is SSI0 with its own select pin, which nothing but the panel hears.
 pub struct Ssi;
 
 impl Ssi {
@@ -153,7 +153,7 @@ fn transfer(read: &mut [u8], write: &[u8]) {
     }
 }
 
-/// UART0, 115 200 baud. It is silent until the board has started.
+/// Is UART0 at 115 200 baud. It is silent until the board has started.
 #[derive(Clone, Copy)]
 pub struct Uart;
 
@@ -170,9 +170,9 @@ impl Uart {
 /// Adds up, in cycles of 20 ns, how long the core rendered and how long the panel's driver sent.
 #[derive(Default)]
 pub struct Clock {
-    /// Cycles of the core.
+    /// Counts the cycles of the core.
     pub rendering: u32,
-    /// Cycles of the panel's driver.
+    /// Counts the cycles of the panel's driver.
     pub sending: u32,
     last: u32,
     is_sending: bool,

@@ -19,7 +19,7 @@ use self::{
     watched::{Stopwatch, Watched},
 };
 
-/// Bounces a ray may take.
+/// Counts the bounces a ray may take.
 const DEPTH: usize = 5;
 
 type Space = Workspace<Fixed, Gray4, { ssd0323::WIDTH as usize }, DEPTH>;
@@ -40,7 +40,7 @@ fn sleep() -> ! {
     }
 }
 
-/// What went wrong.
+/// Says what went wrong.
 enum Failure {
     Scene,
     Panel,

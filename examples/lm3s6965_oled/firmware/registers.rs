@@ -1,11 +1,11 @@
 //! The registers of the LM3S6965 that this firmware touches, and its only `unsafe` blocks.
 
-/// A device register: aligned, always there, and free of side effects on memory.
+/// Is a device register: aligned, always there, and free of side effects on memory.
 #[derive(Clone, Copy)]
 pub struct Register(usize);
 
 impl Register {
-    /// What the register says now.
+    /// Answers what the register says now.
     pub fn read(self) -> u32 {
         // SAFETY: values of this type are made in this module alone, each from an address of the chip's data sheet that
         // is word-aligned and can be read at any time; no Rust object lies there.
@@ -29,73 +29,73 @@ impl Register {
     }
 }
 
-/// A port of eight pins.
+/// Is a port of eight pins.
 #[derive(Clone, Copy)]
 pub struct Port(usize);
 
 impl Port {
-    /// The levels of the pins in `mask`; the address itself carries the mask, so that a write leaves the other pins.
+    /// Answers the levels of the pins in `mask`; the address itself carries the mask, so that a write leaves the other pins.
     pub const fn levels(self, mask: u8) -> Register {
         Register(self.0 + ((mask as usize) << 2))
     }
 
-    /// A set bit makes its pin an output.
+    /// Answers the register in which a set bit makes its pin an output.
     pub const fn direction(self) -> Register {
         Register(self.0 + 0x400)
     }
 
-    /// A set bit gives its pin to a peripheral.
+    /// Answers the register in which a set bit gives its pin to a peripheral.
     pub const fn alternate(self) -> Register {
         Register(self.0 + 0x420)
     }
 
-    /// A set bit lets its pin drive 8 mA.
+    /// Answers the register in which a set bit lets its pin drive 8 mA.
     pub const fn drive_8ma(self) -> Register {
         Register(self.0 + 0x508)
     }
 
-    /// A set bit connects its pin.
+    /// Answers the register in which a set bit connects its pin.
     pub const fn digital(self) -> Register {
         Register(self.0 + 0x51c)
     }
 }
 
-/// Port A: UART0 on pins 0 and 1, SSI0 on pins 2 to 5.
+/// Is port A: UART0 on pins 0 and 1, SSI0 on pins 2 to 5.
 pub const PORT_A: Port = Port(0x4000_4000);
-/// Port C: pin 7 is the panel's D/C.
+/// Is port C: pin 7 is the panel's D/C.
 pub const PORT_C: Port = Port(0x4000_6000);
-/// Port D: pin 0 deselects the SD card, which shares the bus.
+/// Is port D: pin 0 deselects the SD card, which shares the bus.
 pub const PORT_D: Port = Port(0x4000_7000);
 
-/// Raw interrupt status: bit 6 once the PLL is locked.
+/// Is the raw interrupt status: bit 6 once the PLL is locked.
 pub const RIS: Register = Register(0x400f_e050);
-/// Run-mode clock configuration.
+/// Is the run-mode clock configuration.
 pub const RCC: Register = Register(0x400f_e060);
-/// Clock gates of the serial ports: bit 0 UART0, bit 4 SSI0.
+/// Is the clock gates of the serial ports: bit 0 UART0, bit 4 SSI0.
 pub const RCGC1: Register = Register(0x400f_e104);
-/// Clock gates of the pin ports: bit 0 port A, 2 C, 3 D.
+/// Is the clock gates of the pin ports: bit 0 port A, 2 C, 3 D.
 pub const RCGC2: Register = Register(0x400f_e108);
 
-/// SSI0: frame format and clock rate.
+/// Is SSI0: frame format and clock rate.
 pub const SSI_CR0: Register = Register(0x4000_8000);
-/// SSI0: bit 1 enables the port.
+/// Is SSI0: bit 1 enables the port.
 pub const SSI_CR1: Register = Register(0x4000_8004);
-/// SSI0: data.
+/// Is SSI0: data.
 pub const SSI_DR: Register = Register(0x4000_8008);
-/// SSI0: status; bit 2 says that a byte has arrived.
+/// Is SSI0: status; bit 2 says that a byte has arrived.
 pub const SSI_SR: Register = Register(0x4000_800c);
-/// SSI0: clock prescaler.
+/// Is SSI0: clock prescaler.
 pub const SSI_CPSR: Register = Register(0x4000_8010);
 
-/// UART0: data.
+/// Is UART0: data.
 pub const UART_DR: Register = Register(0x4000_c000);
-/// UART0: flags; bit 5 says that there is no room to send.
+/// Is UART0: flags; bit 5 says that there is no room to send.
 pub const UART_FR: Register = Register(0x4000_c018);
-/// UART0: whole part of the baud-rate divisor.
+/// Is UART0: whole part of the baud-rate divisor.
 pub const UART_IBRD: Register = Register(0x4000_c024);
-/// UART0: 64ths of the baud-rate divisor.
+/// Is UART0: 64ths of the baud-rate divisor.
 pub const UART_FBRD: Register = Register(0x4000_c028);
-/// UART0: line control.
+/// Is UART0: line control.
 pub const UART_LCRH: Register = Register(0x4000_c02c);
-/// UART0: control.
+/// Is UART0: control.
 pub const UART_CTL: Register = Register(0x4000_c030);

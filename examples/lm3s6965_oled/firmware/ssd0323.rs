@@ -3,15 +3,15 @@
 use embedded_graphics::{pixelcolor::Gray4, prelude::*, primitives::Rectangle};
 use embedded_hal::{digital::OutputPin, spi::SpiDevice};
 
-/// Pixels a row.
+/// Counts the pixels of a row.
 pub const WIDTH: u32 = 128;
-/// Rows.
+/// Counts the rows.
 pub const HEIGHT: u32 = 64;
 
-/// Two pixels share a byte.
+/// Counts the bytes of a row: two pixels share a byte.
 const ROW_BYTES: usize = WIDTH as usize / 2;
 
-/// Power-up settings for this panel, as its maker gives them.
+/// Lists the power-up settings for this panel, as its maker gives them.
 const SETTINGS: &[&[u8]] = &[
     // contrast
     &[0x81, 50],
@@ -45,23 +45,23 @@ const SETTINGS: &[&[u8]] = &[
     &[0xad, 0x03],
 ];
 
-/// Why something was not drawn.
+/// Says why something was not drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Error<S, P> {
-    /// The bus failed.
+    /// Says that the bus failed.
     Bus(S),
-    /// The D/C pin failed.
+    /// Says that the D/C pin failed.
     Pin(P),
-    /// Half a byte cannot be written, as the controller cannot be read over its serial bus: areas must begin and end on
+    /// Says that half a byte cannot be written, as the controller cannot be read over its serial bus: areas must begin and end on
     /// even columns.
     HalfByte,
 }
 
-/// What a panel on the bus `S` with the D/C pin `P` may complain about.
+/// Names what a panel on the bus `S` with the D/C pin `P` may complain about.
 type ErrorOf<S, P> =
     Error<<S as embedded_hal::spi::ErrorType>::Error, <P as embedded_hal::digital::ErrorType>::Error>;
 
-/// The panel as an `embedded-graphics` target. It holds no picture: all it needs is a row of 64 bytes on the stack.
+/// Is the panel as an `embedded-graphics` target. It holds no picture: all it needs is a row of 64 bytes on the stack.
 pub struct Ssd0323<S, P> {
     bus: S,
     data_not_command: P,

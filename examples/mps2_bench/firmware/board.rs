@@ -6,7 +6,7 @@ use cortex_m_semihosting::{hio, nr, syscall};
 /// Counts up at 25 MHz from power-up.
 const COUNTER: *const u32 = 0x4002_8018 as *const u32;
 
-/// The time in ticks of 40 ns; it comes round after 171 s.
+/// Answers the time in ticks of 40 ns; it comes round after 171 s.
 pub fn ticks() -> u32 {
     // SAFETY: the counter of the board's FPGA I/O block, aligned, always there, and read without side effects.
     unsafe { COUNTER.read_volatile() }
@@ -21,7 +21,7 @@ pub fn print(parts: &[&[u8]]) {
     }
 }
 
-/// A file on the host, in the folder the debugger was started in.
+/// Is a file on the host, in the folder the debugger was started in.
 pub struct File(usize);
 
 impl File {

@@ -18,13 +18,13 @@ const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
 const DEPTH: usize = 5;
 
-/// A row in the bytes a display's bus wants.
+/// Is a row in the bytes a display's bus wants.
 type Row = [[u8; 2]; WIDTH as usize];
 
-/// Rows go to a buffer of ours, so the workspace needs no room for one.
+/// Is the workspace; rows go to a buffer of ours, so the workspace needs no room for one.
 type Space = Workspace<f32, Rgb565, 0, DEPTH>;
 
-/// The scenes, and the files their pictures go to.
+/// Lists the scenes, and the files their pictures go to.
 static SCENES: [(&View<f32>, &CStr); 2] =
     [(&float::THREE_SPHERES, c"three-spheres.rgb565"), (&float::SIMPLE, c"simple.rgb565")];
 
@@ -89,7 +89,7 @@ fn print_figure(view: &View<f32>, name: &[u8], figure: u32) {
     board::print(&[view.name.as_bytes(), name, Decimal::new(figure).as_bytes()]);
 }
 
-/// Where the 32-bit FNV-1a checksum begins.
+/// Is where the 32-bit FNV-1a checksum begins.
 const FNV_OFFSET: u32 = 0x811c_9dc5;
 
 /// Takes another byte into the checksum.

@@ -15,13 +15,13 @@ use rp2040_hal::{
     spi::Enabled,
 };
 
-/// Pixels a row, and rows, of the panel.
+/// Counts the pixels of a row, and the rows, of the panel.
 pub const SIDE: u16 = 240;
 
-/// Frequency of the crystal on a Pico.
+/// Is the frequency of the crystal on a Pico.
 const CRYSTAL_HZ: u32 = 12_000_000;
 
-/// 125 MHz / 2, the fastest SPI0 goes, and just inside the 16 ns write cycle of the ST7789.
+/// Is 125 MHz / 2, the fastest SPI0 goes, and just inside the 16 ns write cycle of the ST7789.
 const SPI_HZ: u32 = 62_500_000;
 
 type Output<P> = Pin<P, FunctionSio<SioOutput>, PullDown>;
@@ -29,19 +29,19 @@ type SpiPin<P> = Pin<P, FunctionSpi, PullDown>;
 type Bus = Spi<Enabled, pac::SPI0, (SpiPin<Gpio19>, SpiPin<Gpio18>), 8>;
 type PanelBus<'a> = SpiInterface<'a, ExclusiveDevice<Bus, Output<Gpio17>, NoDelay>, Output<Gpio16>>;
 
-/// The panel as an `embedded-graphics` target.
+/// Is the panel as an `embedded-graphics` target.
 pub type Panel<'a> = Display<PanelBus<'a>, ST7789, Output<Gpio21>>;
 
-/// The LED on the Pico.
+/// Is the LED on the Pico.
 pub type Lamp = Output<Gpio25>;
 
-/// The boot ROM copies this to RAM and runs it: it sets up the flash chip so that code can run from there.
+/// Is what the boot ROM copies to RAM and runs: it sets up the flash chip so that code can run from there.
 // SAFETY: `.boot2` is the 256 bytes that `memory.x` keeps for exactly this, and no code of ours refers to it.
 #[unsafe(link_section = ".boot2")]
 #[used]
 static BOOT_LOADER: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
-/// What is wired to the Pico, or nothing when it was taken before or a part does not answer.
+/// Answers what is wired to the Pico, or nothing when it was taken before or a part does not answer.
 ///
 /// `batch` gathers pixels on their way to the bus.
 pub fn take(batch: &mut [u8]) -> Option<(Panel<'_>, Lamp)> {

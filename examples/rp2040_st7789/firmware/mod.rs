@@ -15,13 +15,13 @@ use self::{
     watched::{Stopwatch, Watched},
 };
 
-/// Bytes that go to the bus in one piece: a whole row of two bytes a pixel, so that a row is one transfer.
+/// Counts the bytes that go to the bus in one piece: a whole row of two bytes a pixel, so that a row is one transfer.
 const BATCH: usize = 2 * board::SIDE as usize;
 
-/// Bounces a ray may take.
+/// Counts the bounces a ray may take.
 const DEPTH: usize = 5;
 
-/// An oscilloscope on the lamp's pin reads both times; the emulated board counts the same two spans.
+/// Shows both times to an oscilloscope on the lamp's pin; the emulated board counts the same two spans.
 /// A pin that cannot be driven would cost the lamp, not the picture.
 impl Stopwatch for Lamp {
     fn rendering(&mut self) {
