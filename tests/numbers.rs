@@ -176,6 +176,45 @@ fn unit_vectors_are_right_on_both_sides_from_short_to_long() {
     }
 }
 
+/// Answers the errors of products of two vectors and of a reflection, in units of `unit(a, b)`.
+fn product_errors<S: Scalar>(
+    [a, b]: [[f64; 3]; 2],
+    make: fn(f64) -> S,
+    read: fn(S) -> f64,
+    unit: fn(f64) -> f64,
+) -> [f64; 4] {
+    let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let [p, q] = [a, b].map(|v| Vec3::from_array(v.map(make)));
+    let [a, b] = [p, q].map(|v| v.to_array().map(read));
+    let (normal, _) = q.normalize().expect("not zero");
+    let n = normal.to_array().map(read);
+    let e = unit(length(a) * length(b));
+    let cross = a[1] * b[2] - a[2] * b[1];
+    let mirrored = a[0] - 2.0 * dot(a, n) * n[0];
+    [
+        (read(p.dot(q)) - dot(a, b)) / (3.0 * e),
+        (read(p.cross(q).x) - cross) / (3.0 * e),
+        (read(p.reflect(normal).x) - mirrored) / (12.0 * unit(length(a))),
+        (read(p.length()) - length(a)) / (length(a) * 4e-7 + 2.0 * unit(0.0)),
+    ]
+}
+
+#[test]
+fn products_of_vectors_are_right_on_both_sides() {
+    let pairs = || directions().step_by(7).zip(directions().skip(5).step_by(5)).map(|(a, b)| [a, b]);
+    for which in 0..4 {
+        worst_error(
+            1.0,
+            pairs().map(|p| product_errors(p, Fixed::new, Fixed::to_f64, |_| STEP / 2.0)[which]),
+        );
+        worst_error(
+            1.0,
+            pairs().map(|p| product_errors(p, |x| x as f32, f64::from, |size| size * 6e-8)[which]),
+        );
+    }
+}
+
 #[test]
 fn a_vector_of_no_length_has_no_direction() {
     assert!(Vec3::new(0.0_f32, 0.0, 0.0).normalize().is_none());
@@ -193,6 +232,8 @@ fn powers_of_cosines_are_right() {
             let float = (x as f32).pow_unit(exponent);
             let bound = f64::from(exponent) * 6e-8 + 1e-7;
             let value = exact(f64::from(x as f32));
+            let double = (x.pow_unit(exponent) - exact(x)).abs();
+            assert!(double <= f64::from(exponent) * 2e-16 * exact(x) + 1e-300, "{x}^{exponent} in f64");
             assert!((f64::from(float) - value).abs() <= bound * value + 1e-30, "{x}^{exponent}");
             let base = Fixed::new(x);
             let fixed = base.pow_unit(exponent).to_f64() - exact(base.to_f64());

@@ -19,6 +19,11 @@ impl<S> Vec3<S> {
     }
 }
 
+/// Error bounds: sums and the products of [`Vec3::mul_wide`] and [`Vec3::dot_wide`] are exact in
+/// fixed point and rounded one by one in floats. With e for half a step in fixed point, and for
+/// 6e-8 of the product of the lengths in `f32` (1.1e-16 in `f64`): [`Vec3::dot`] 3 e, a component of
+/// [`Vec3::cross`] 3 e, of [`Vec3::reflect`] at a unit normal 12 e. [`Vec3::length`] is as good as
+/// [`Scalar::sqrt`].
 impl<S: Scalar> Vec3<S> {
     /// Is the origin.
     pub const ZERO: Self = Self::new(S::ZERO, S::ZERO, S::ZERO);
@@ -33,7 +38,7 @@ impl<S: Scalar> Vec3<S> {
         Self::new(x, y, z)
     }
 
-    /// Answers the scalar product without rounding the products.
+    /// Answers the scalar product as a wide value.
     pub fn dot_wide(self, rhs: Self) -> S::Wide {
         self.x.mul_wide(rhs.x) + self.y.mul_wide(rhs.y) + self.z.mul_wide(rhs.z)
     }
@@ -75,7 +80,7 @@ impl<S: Scalar> Vec3<S> {
         Self::new(self.x * rhs.x, self.y * rhs.y, self.z * rhs.z)
     }
 
-    /// Multiplies by a scalar without rounding.
+    /// Multiplies by a scalar into wide components.
     pub fn mul_wide(self, rhs: S) -> WideVec3<S> {
         WideVec3 { x: self.x.mul_wide(rhs), y: self.y.mul_wide(rhs), z: self.z.mul_wide(rhs) }
     }
