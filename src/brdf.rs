@@ -15,3 +15,28 @@ pub fn phong<S: Scalar>(normal: Vec3<S>, to_light: Vec3<S>, to_eye: Vec3<S>, shi
     let cosine = mirrored.dot(to_eye);
     if cosine > S::ZERO { cosine.pow_unit(shininess) } else { S::ZERO }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vec3<f64> = Vec3::new(0.0, 1.0, 0.0);
+    /// To the light, 30 degrees off the normal.
+    const LIGHT: Vec3<f64> = Vec3::new(0.5, 0.866_025_403_784_438_6, 0.0);
+
+    #[test]
+    fn diffuse_light_falls_with_the_cosine_and_never_below_zero() {
+        assert!((lambert(UP, LIGHT) - 0.75_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(lambert(UP, -LIGHT), 0.0);
+    }
+
+    #[test]
+    fn a_highlight_is_brightest_in_the_mirror_direction_and_a_power_of_the_cosine_beside_it() {
+        let mirrored = Vec3::new(-LIGHT.x, LIGHT.y, 0.0);
+        assert!((phong(UP, LIGHT, mirrored, 50) - 1.0).abs() < 1e-12);
+        // The normal is 30 degrees off the mirror direction, the light itself 60: cosine 1/2.
+        assert!((phong(UP, LIGHT, UP, 4) - 0.75 * 0.75).abs() < 1e-12);
+        assert!((phong(UP, LIGHT, LIGHT, 3) - 0.125).abs() < 1e-12);
+        assert_eq!(phong(UP, LIGHT, -mirrored, 1), 0.0);
+    }
+}

@@ -110,10 +110,9 @@ impl<S: Scalar> Intersect<S> for Cuboid<S> {
 
     /// From the surface outward the box is behind; inward the ray leaves it at its far face.
     fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
-        let Passage { enter, leave } = self.passage(ray)?;
-        // The start is one of the two ends, up to rounding: the one nearer to it.
-        let inward = enter.0.abs() < leave.0.abs();
-        (inward && interval.contains(leave.0)).then(|| crossing(leave))
+        // `surface` puts the start exactly into its face, so that a way out through it has length 0.
+        let leave = self.passage(ray)?.leave;
+        interval.contains(leave.0).then(|| crossing(leave))
     }
 
     fn surface(&self, ray: &Ray<S>, found: &Crossing<S>) -> Surface<S> {

@@ -60,8 +60,8 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
         let rough = ray.at(crossing.t);
         let (normal, distance) = (rough - self.center).normalize().unwrap_or((-ray.direction, self.radius));
         Surface {
-            // Moved along the normal by what rounding left: half a unit on a ball of radius 999
-            // in fixed point, were it not for this.
+            // Moved along the normal by what rounding left: on a ball of radius 999 fixed point is
+            // 4e-5 off without this and 2e-6 with it.
             point: rough + normal * (self.radius - distance),
             normal,
             u: S::ZERO,
