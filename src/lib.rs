@@ -22,7 +22,7 @@
 //! let mut workspace = Workspace::<f32, Rgb565, 64, 2>::new();
 //! let mut display = MockDisplay::<Rgb565>::new();
 //! let size = display.bounding_box().size;
-//! Renderer::new(&scene, &camera, size, Settings::new(), &mut workspace)?.draw(&mut display).unwrap();
+//! let Ok(()) = Renderer::new(&scene, &camera, size, Settings::new(), &mut workspace)?.draw(&mut display);
 //! # Ok::<(), RenderError>(())
 //! ```
 //!

@@ -75,11 +75,6 @@ impl<S: Scalar> Vec3<S> {
         self - normal * (along + along)
     }
 
-    /// Multiplies component by component.
-    pub fn scale_by(self, rhs: Self) -> Self {
-        Self::new(self.x * rhs.x, self.y * rhs.y, self.z * rhs.z)
-    }
-
     /// Multiplies by a scalar into wide components.
     pub fn mul_wide(self, rhs: S) -> WideVec3<S> {
         WideVec3 { x: self.x.mul_wide(rhs), y: self.y.mul_wide(rhs), z: self.z.mul_wide(rhs) }

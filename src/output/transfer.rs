@@ -10,7 +10,7 @@ pub enum Transfer {
 
 /// Is how many pieces each doubling of the light is cut into.
 ///
-/// 32 keep the chord within 5e-5 of the curve: 1/100 of a step of an 8-bit channel.
+/// 32 keep the chord within 5e-5 of the curve: 1/80 of a step of an 8-bit channel.
 const PIECES: usize = 32;
 /// Is the doubling in which the curve's straight foot ends: 0.0031308 * 2^24 lies above 2^15.
 const FIRST_DOUBLING: u32 = 15;

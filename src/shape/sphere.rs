@@ -2,7 +2,7 @@ use super::Intersect;
 use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
-use crate::math::{Scalar, Vec3};
+use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
 
 /// Is a ball: the points with `|p - center| = radius`.
@@ -35,7 +35,7 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
         }
         let across = to_center - ray.direction * b;
         let square = self.radius.mul_wide(self.radius) - across.dot_wide(across);
-        if square < S::ZERO.mul_wide(S::ZERO) {
+        if square < S::Wide::ZERO {
             return None;
         }
         let h = S::sqrt(square);
