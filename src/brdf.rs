@@ -11,9 +11,12 @@ pub fn lambert<S: Scalar>(normal: Vec3<S>, to_light: Vec3<S>) -> S {
 ///
 /// All vectors have unit length and point away from the surface.
 pub fn phong<S: Scalar>(normal: Vec3<S>, to_light: Vec3<S>, to_eye: Vec3<S>, shininess: u16) -> S {
-    let mirrored = (-to_light).reflect(normal);
-    let cosine = mirrored.dot(to_eye);
-    if cosine > S::ZERO { cosine.pow_unit(shininess) } else { S::ZERO }
+    // r.v without r: 2 (n.l) (n.v) - l.v.
+    let along = normal.dot(to_light) * normal.dot(to_eye);
+    let cosine = along + along - to_light.dot(to_eye);
+    // c^n is below exp(-n (1 - c)): most of a ball is too far from its highlight to count.
+    let faint = (S::ONE - cosine) * S::from_i32(i32::from(shininess)) > S::FADED;
+    if cosine > S::ZERO && !faint { cosine.pow_unit(shininess) } else { S::ZERO }
 }
 
 #[cfg(test)]

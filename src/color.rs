@@ -44,6 +44,11 @@ impl<S: Scalar> Rgb<S> {
         self != Self::BLACK
     }
 
+    /// Answers the largest of the three lights.
+    pub fn max(self) -> S {
+        self.r.max(self.g).max(self.b)
+    }
+
     /// Tells whether every light may stand in a scene: from 0 to 1024, in every number.
     pub fn in_range(self) -> bool {
         let limit = S::from_i32(1024);

@@ -30,14 +30,14 @@
 //!
 //! ```text
 //! scene (flash) -> camera: axes and window, once a picture
-//!   -> row: rays by forward differences, candidates the row can touch
-//!     -> pixel: visibility -> surface -> shade -> bounces over a fixed stack -> linear light
+//!   -> row: rays by forward differences; spans: which objects can be met, between which columns
+//!     -> eight pixels: visibility -> surface -> shade -> mirrors, level by level -> linear light
 //!       -> exposure, transfer curve, dithering -> the panel's colour -> scanline
 //!         -> fill_contiguous, or a buffer of the caller's
 //! ```
 //!
 //! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
-//! - [`ray`], [`hit`], [`aabb`], [`color`], [`fault`]: what everything else speaks of.
+//! - [`ray`], [`hit`], [`aabb`], [`hull`], [`color`], [`fault`]: what everything else speaks of.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
 //! - [`texture`], [`material`], [`brdf`], [`light`], [`environment`]: what surfaces do with light.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
@@ -60,6 +60,7 @@ pub mod aabb;
 pub mod color;
 pub mod fault;
 pub mod hit;
+pub mod hull;
 pub mod ray;
 
 pub mod shape;

@@ -23,17 +23,6 @@ pub enum Light<S = f32> {
     },
 }
 
-/// Is one light as a point of a surface sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Incidence<S = f32> {
-    /// Where the light comes from, unit length.
-    pub direction: Vec3<S>,
-    /// How far away the light is.
-    pub distance: S,
-    /// How much light arrives where nothing blocks it.
-    pub color: Rgb<S>,
-}
-
 impl<S: Scalar> Light<S> {
     /// Makes a light at a point.
     pub const fn point(position: Vec3<S>, color: Rgb<S>) -> Self {
@@ -45,15 +34,10 @@ impl<S: Scalar> Light<S> {
         Self::Directional { toward, color }
     }
 
-    /// Answers the light as seen from a point; `None` from the very place of the light.
-    pub fn incidence(&self, point: Vec3<S>) -> Option<Incidence<S>> {
-        let (direction, distance, color) = match *self {
-            Self::Point { position, color } => {
-                let (direction, distance) = (position - point).normalize()?;
-                (direction, distance, color)
-            }
-            Self::Directional { toward, color } => (toward.normalize()?.0, S::FAR, color),
-        };
-        Some(Incidence { direction, distance, color })
+    /// Answers how much light arrives.
+    pub fn color(&self) -> Rgb<S> {
+        match *self {
+            Self::Point { color, .. } | Self::Directional { color, .. } => color,
+        }
     }
 }

@@ -5,6 +5,7 @@ mod support;
 use embedded_graphics::prelude::Size;
 use scanray::aabb::Aabb;
 use scanray::hit::{Crossing, Surface};
+use scanray::hull::Hull;
 use scanray::math::Scalar;
 use scanray::ray::{Interval, Ray};
 use scanray::{
@@ -32,8 +33,8 @@ impl Intersect<f32> for Disc {
         Surface { point, normal: v(0.0, 1.0, 0.0), u: 0.0, v: 0.0, part: 0 }
     }
 
-    fn bounds(&self) -> Option<Aabb> {
-        Some(Aabb { center: self.center, half: v(self.radius, 0.0, self.radius) })
+    fn hull(&self) -> Hull {
+        Hull::Box(Aabb { center: self.center, half: v(self.radius, 0.0, self.radius) })
     }
 
     fn check(&self) -> Result<(), Fault> {

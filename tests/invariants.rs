@@ -5,7 +5,7 @@ mod support;
 use embedded_graphics::prelude::Size;
 use scanray::gallery::{Gallery, View};
 use scanray::ray::{Interval, Ray};
-use scanray::trace::{Observer, RayCounts, RayKind, nearest};
+use scanray::trace::{Candidates, Observer, Packet, RayCounts, RayKind, Tracer};
 use scanray::{
     Camera, Cuboid, Fixed, Light, Material, Object, Projection, Renderer, Rgb, Scene, SceneBuffer, Settings,
     Shape, Sky, Sphere, Triangle, Workspace,
@@ -93,11 +93,14 @@ fn rows_of_the_gallery_can_be_drawn_in_parts_in_any_number() {
 #[test]
 fn a_far_sphere_never_hides_a_near_one() {
     let (near, far) = (ball(0.0, 0.0, -3.0, 1.0, 0), ball(0.0, 0.0, -9.0, 2.0, 1));
+    let materials = [Material::flat(Rgb::WHITE), Material::flat(Rgb::BLACK)];
     let ray = Ray::new(v(0.0, 0.0, 0.0), v(0.0, 0.0, -1.0));
     for objects in [[near, far], [far, near]] {
-        let scene = Scene { objects: &objects, ..scene() };
-        let found = nearest(&scene, 0..2, &ray, Interval::AHEAD, None).expect("a hit");
-        assert_eq!(*found.object, near);
+        let scene = Scene::new(&objects, &materials, &[]);
+        let rays = std::iter::once((ray, Interval::AHEAD));
+        let mut packet = Packet::new();
+        let light = Tracer::new(&scene, 0).radiance(&mut packet, rays, Candidates::all(&scene), &mut ())[0];
+        assert_eq!(light, Rgb::WHITE);
     }
 }
 

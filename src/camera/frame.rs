@@ -44,11 +44,11 @@ pub struct Frame<S: Scalar> {
     pub(super) near: S,
     pub(super) far: S,
     pub(super) parallel: bool,
-    size: [i32; 2],
+    pub(super) size: [i32; 2],
     /// The upper left corner of the window from the eye, and its sides to the right and downward.
-    corner: WideVec3<S>,
-    right: WideVec3<S>,
-    down: WideVec3<S>,
+    pub(super) corner: WideVec3<S>,
+    pub(super) right: WideVec3<S>,
+    pub(super) down: WideVec3<S>,
 }
 
 /// Is a window at depth 1 (perspective) or at the eye (parallel): left, right, bottom, top.
@@ -157,8 +157,13 @@ impl<S: Scalar> Frame<S> {
         Row::new(self, self.row_start(y), index(x))
     }
 
+    /// Answers where all rays start, if they start at one point.
+    pub fn one_eye(&self) -> Option<Vec3<S>> {
+        (!self.parallel).then_some(self.eye)
+    }
+
     /// Answers the left end of the middle of a row, from the eye.
-    fn row_start(&self, y: u32) -> WideVec3<S> {
+    pub(super) fn row_start(&self, y: u32) -> WideVec3<S> {
         let [_, rows] = self.size;
         self.corner + self.down.scale(2 * index(y) + 1, 2 * rows)
     }
@@ -170,22 +175,5 @@ impl<S: Scalar> Frame<S> {
     /// Answers what the middle of column `x` adds to the start of a row.
     pub(super) fn column(&self, x: i32) -> WideVec3<S> {
         self.right.scale(x.saturating_mul(2).saturating_add(1), 2 * self.size[0])
-    }
-
-    /// Answers a unit vector across the plane in which all rays of a row lie; `None` if the row's
-    /// rays span no plane.
-    pub fn row_normal(&self, y: u32) -> Option<Vec3<S>> {
-        let along = self.right.narrow().normalize()?.0;
-        let toward = if self.parallel {
-            self.forward
-        } else {
-            (self.row_start(y) + self.right.scale(1, 2)).narrow().normalize()?.0
-        };
-        Some(toward.cross(along).normalize()?.0)
-    }
-
-    /// Answers a point of the plane in which all rays of a row lie.
-    pub fn row_point(&self, y: u32) -> Vec3<S> {
-        if self.parallel { self.eye + self.row_start(y).narrow() } else { self.eye }
     }
 }

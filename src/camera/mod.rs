@@ -1,8 +1,11 @@
 //! Cameras: which ray belongs to which pixel.
 
+mod fan;
 mod frame;
 mod row;
+mod section;
 
+pub use fan::Fan;
 pub use frame::{CameraError, Frame};
 pub use row::{Row, RowRay};
 

@@ -162,6 +162,9 @@ impl Scalar for Fixed {
     const PARALLEL: Self = Self::new(1.0 / 65_536.0);
     const PI: Self = Self::new(core::f64::consts::PI);
     const FAR: Self = Self::MAX;
+    const FAR_BACK: Self = Self::MIN;
+    const SLACK: Self = Self::new(1.0 / 8192.0);
+    const FADED: Self = Self::new(0.7 * FRACTION_BITS as f64);
     // The difference of two such coordinates still fits; a length may not, and counts as FAR.
     const LIMIT: Self = Self::new(1024.0);
     const SKIN: Self = Self::new(1.0 / 1024.0);
@@ -238,7 +241,7 @@ impl Scalar for Fixed {
     }
 
     fn light_bits(self) -> u32 {
-        (self.bits().clamp(0, 1 << FRACTION_BITS) as u32) << 4
+        (self.bits().clamp(0, (1 << 27) - 1) as u32) << 4
     }
 
     fn in_range(self) -> bool {

@@ -37,6 +37,10 @@ macro_rules! float_scalar {
             const PARALLEL: Self = 1.0 / 65_536.0;
             const PI: Self = $pi;
             const FAR: Self = 1e18;
+            const FAR_BACK: Self = -1e18;
+            const SLACK: Self = 1.0 / 8192.0;
+            // ln 2 is 0.693.
+            const FADED: Self = 0.7 * <$float>::MANTISSA_DIGITS as $float;
             // Three squares of a difference of two such coordinates are 1.2e33, and f32 ends at 3.4e38.
             const LIMIT: Self = 1e16;
             const SKIN: Self = $skin;
@@ -96,8 +100,11 @@ macro_rules! float_scalar {
 
             fn normalize([x, y, z]: [Self; 3]) -> Option<([Self; 3], Self)> {
                 let square = x * x + y * y + z * z;
-                // Shorter ones would take the reciprocal root out of the range.
-                if !($shortest..=<$float>::MAX).contains(&square) {
+                // Shorter ones would take the reciprocal root out of the range. Bits of positive
+                // floats are in order, so that one comparison of integers looks at both ends.
+                const SHORTEST: $float = $shortest;
+                let above = square.to_bits().wrapping_sub(SHORTEST.to_bits());
+                if above > <$float>::MAX.to_bits() - SHORTEST.to_bits() {
                     return None;
                 }
                 let r = rsqrt(square);
@@ -106,7 +113,12 @@ macro_rules! float_scalar {
 
             fn light_bits(self) -> u32 {
                 // The cast takes what is not a number to 0 and saturates below.
-                ((self * 16_777_216.0) as u32).min(1 << 24)
+                (self * 16_777_216.0) as u32
+            }
+
+            fn abs(self) -> Self {
+                // One instruction where there is a floating-point unit; a comparison takes five.
+                <$float>::abs(self)
             }
 
             fn in_range(self) -> bool {

@@ -36,6 +36,13 @@ pub trait Scalar:
     const PI: Self;
     /// Stands for "infinitely far": no hit is looked for beyond this distance.
     const FAR: Self;
+    /// Is as far as [`Self::FAR`], the other way.
+    const FAR_BACK: Self;
+    /// Is a share of a distance that outweighs the rounding of a ray, 2^-13: a hundred times it in
+    /// the coarsest number.
+    const SLACK: Self;
+    /// Is the x from which exp(-x) is less than the number's step at 1.
+    const FADED: Self;
     /// Is the largest magnitude a coordinate, radius or colour of a scene may have.
     const LIMIT: Self;
     /// Is how far a ray travels from a user's own shape before it may hit that shape again.
@@ -59,7 +66,7 @@ pub trait Scalar:
     fn pow_unit(self, exponent: u16) -> Self;
     /// Scales a vector to unit length and answers it with the length it had; `None` for zero.
     fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)>;
-    /// Converts light to an integer of 24 bits: 0 is none, 2^24 is 1 and above; rounds down.
+    /// Converts light to an integer: 0 is none, 2^24 is 1, more light is more; rounds down, saturates.
     fn light_bits(self) -> u32;
     /// Tells whether a scene may contain this value: a number, no larger than [`Self::LIMIT`].
     fn in_range(self) -> bool;

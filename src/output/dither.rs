@@ -12,38 +12,43 @@ pub enum Dither {
 /// Is the side of the square of thresholds.
 const SIDE: usize = 8;
 
-/// Holds the order in which the pixels of the square light up, 0 to 63.
-static ORDER: [u8; SIDE * SIDE] = order();
+/// Holds the thresholds of a row of the square, fractions of 2^16: added before rounding down.
+pub type Thresholds = [u16; SIDE];
 
-const fn order() -> [u8; SIDE * SIDE] {
-    let mut table = [0; SIDE * SIDE];
+static NEAREST: Thresholds = [1 << 15; SIDE];
+static ORDERED: [Thresholds; SIDE] = ordered();
+
+const fn ordered() -> [Thresholds; SIDE] {
+    let mut table = [[0; SIDE]; SIDE];
     let mut i = 0;
     while i < SIDE * SIDE {
         let (x, y) = (i % SIDE, i / SIDE);
-        // The bits of x ^ y and y, taken in turn, the lowest first and made the highest.
-        let mut bit = 0;
+        // The bits of x ^ y and y, taken in turn, the lowest first and made the highest: the order
+        // in which the pixels of the square light up.
+        let (mut order, mut bit) = (0, 0);
         while bit < 3 {
-            let pair = (((x ^ y) >> bit) & 1) << 1 | (y >> bit) & 1;
-            table[i] = table[i] << 2 | pair as u8;
+            order = order << 2 | (((x ^ y) >> bit) & 1) << 1 | (y >> bit) & 1;
             bit += 1;
         }
+        // The middle of the step, so that neither black nor white is ever broken up.
+        table[y][x] = (2 * order as u16 + 1) << 9;
         i += 1;
     }
     table
 }
 
 impl Dither {
+    /// Answers the thresholds of a row of the picture; they come round every eight pixels.
+    pub fn thresholds(self, y: u32) -> &'static Thresholds {
+        match self {
+            Self::None => &NEAREST,
+            Self::Ordered => ORDERED.get(y as usize % SIDE).unwrap_or(&NEAREST),
+        }
+    }
+
     /// Answers the threshold of a pixel, as a fraction of 2^16: added before rounding down.
     pub fn threshold(self, x: u32, y: u32) -> u32 {
-        match self {
-            Self::None => 1 << 15,
-            Self::Ordered => {
-                let place = (y as usize % SIDE) * SIDE + x as usize % SIDE;
-                let order = ORDER.get(place).copied().unwrap_or(0);
-                // The middle of the step, so that neither black nor white is ever broken up.
-                (2 * u32::from(order) + 1) << 9
-            }
-        }
+        self.thresholds(y).get(x as usize % SIDE).map_or(1 << 15, |threshold| u32::from(*threshold))
     }
 }
 

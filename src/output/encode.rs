@@ -18,11 +18,15 @@ impl Quantizer {
         Self { transfer, threshold: dither.threshold(x, y) }
     }
 
-    /// Answers the level, 0 to `top`, of a 24-bit light.
+    /// Makes the quantizer of a pixel of its threshold, a fraction of 2^16.
+    pub fn of_threshold(transfer: Transfer, threshold: u16) -> Self {
+        Self { transfer, threshold: u32::from(threshold) }
+    }
+
+    /// Answers the level, 0 to `top`, of a 24-bit light; more light is `top`.
     pub fn level(&self, light: u32, top: u8) -> u8 {
-        let level = (self.transfer.level(light) * u32::from(top) + self.threshold) >> 16;
         // The threshold is below 2^16, so the largest light yields `top` itself.
-        level.min(u32::from(top)) as u8
+        ((self.transfer.level(light) * u32::from(top) + self.threshold) >> 16) as u8
     }
 }
 
@@ -43,6 +47,7 @@ pub trait Encode: Copy {
 /// Answers the luminance of three 24-bit lights (Rec. 709 weights 0.2126, 0.7152, 0.0722).
 fn luminance([r, g, b]: [u32; 3]) -> u32 {
     // The weights add up to 2^12 and the lights are cut to 2^19, so that white fits 32 bits.
+    let [r, g, b] = [r, g, b].map(|light| light.min(1 << 24));
     ((r >> 5) * 871 + (g >> 5) * 2929 + (b >> 5) * 296) >> 7
 }
 

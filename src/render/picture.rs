@@ -6,7 +6,7 @@ use crate::math::Scalar;
 use crate::output::{Encode, Quantizer};
 use crate::scene::Scene;
 use crate::shape::Intersect;
-use crate::trace::{Observer, Tracer};
+use crate::trace::{LANES, Observer, Tracer};
 use core::ops::Range;
 use embedded_graphics_core::geometry::Size;
 
@@ -21,37 +21,50 @@ pub(super) struct Picture<'a, S: Scalar, X> {
 
 impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
     /// Hands each pixel of `columns` in row `y`, a row of the picture, its linear light, left to right.
-    pub fn trace_row<const DEPTH: usize>(
+    pub fn trace_row(
         &self,
-        scratch: &mut Scratch<S, DEPTH>,
+        scratch: &mut Scratch<S>,
         y: u32,
         columns: Range<u32>,
         observer: &mut impl Observer,
         mut pixel: impl FnMut(u32, Rgb<S>),
     ) {
         let columns = columns.start..columns.end.min(self.size.width);
-        let Scratch { waiting, candidates } = scratch;
-        candidates.find(&self.scene, &self.frame, y);
-        let mut tracer = Tracer::new(&self.scene, waiting, self.settings.depth);
-        for (x, primary) in columns.clone().zip(self.frame.row(y, columns.start)) {
-            let light = tracer.radiance(&primary.ray, &primary.interval, candidates.iter(), observer);
-            pixel(x, light * self.settings.exposure);
+        let Scratch { packet, spans, vicinities } = scratch;
+        spans.enter_row(&self.scene, &self.frame, y);
+        let mut tracer = Tracer::new(&self.scene, self.settings.depth)
+            .with_exposure(self.settings.exposure)
+            .with_eye(self.frame.one_eye())
+            .with_vicinities(vicinities);
+        let mut rays = self.frame.row(y, columns.start).map(|primary| (primary.ray, primary.interval));
+        let mut x = columns.start;
+        while x < columns.end {
+            let stop = spans.enter_column(x).clamp(x + 1, columns.end);
+            let together = (stop - x).min(LANES as u32);
+            let light =
+                tracer.radiance(packet, rays.by_ref().take(together as usize), spans.candidates(), observer);
+            for light in light {
+                pixel(x, *light);
+                x += 1;
+            }
         }
     }
 
     /// Fills `places` with the colours of `columns` in row `y`.
-    pub fn encode_row<P: Encode, const DEPTH: usize>(
+    pub fn encode_row<P: Encode>(
         &self,
-        scratch: &mut Scratch<S, DEPTH>,
+        scratch: &mut Scratch<S>,
         y: u32,
         columns: Range<u32>,
         places: &mut [P],
     ) {
         let Settings { transfer, dither, .. } = self.settings;
+        let thresholds = dither.thresholds(y);
         let mut places = places.iter_mut();
         self.trace_row(scratch, y, columns, &mut (), |x, light| {
             if let Some(place) = places.next() {
-                *place = P::from_light(light, Quantizer::new(transfer, dither, x, y));
+                let threshold = thresholds[x as usize % thresholds.len()];
+                *place = P::from_light(light, Quantizer::of_threshold(transfer, threshold));
             }
         });
     }

@@ -53,6 +53,8 @@ where
             return Err(RenderError::Exposure);
         }
         let frame = camera.frame(size.width, size.height)?;
+        workspace.scratch.spans.enter_picture(scene, &frame);
+        workspace.scratch.vicinities.clear();
         Ok(Self { picture: Picture { scene: *scene, frame, size, settings }, workspace })
     }
 

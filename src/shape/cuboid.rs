@@ -2,6 +2,7 @@ use super::Intersect;
 use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
+use crate::hull::Hull;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 
@@ -134,8 +135,8 @@ impl<S: Scalar> Intersect<S> for Cuboid<S> {
         Surface { point, normal, u, v, part: found.part }
     }
 
-    fn bounds(&self) -> Option<Aabb<S>> {
-        Some(Aabb::between(self.low, self.high))
+    fn hull(&self) -> Hull<S> {
+        Hull::Box(Aabb::between(self.low, self.high))
     }
 
     fn check(&self) -> Result<(), Fault> {

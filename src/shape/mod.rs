@@ -13,9 +13,9 @@ pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
-use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
+use crate::hull::Hull;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
 use core::convert::Infallible;
@@ -37,8 +37,26 @@ pub trait Intersect<S: Scalar> {
     /// Works out the surface at a crossing that [`Intersect::intersect`] found for the same ray.
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S>;
 
-    /// Answers a box that holds the shape; `None` where the shape has no end.
-    fn bounds(&self) -> Option<Aabb<S>>;
+    /// Tells whether the shape stands anywhere inside the interval: all that a shadow asks.
+    ///
+    /// An answer other than that of [`Intersect::intersect`] is right only at grazing rays, where
+    /// rounding decides.
+    fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        self.intersect(ray, interval).is_some()
+    }
+
+    /// Tells whether the shape is convex: a ray that leaves it outward never meets it again.
+    fn is_convex(&self) -> bool {
+        false
+    }
+
+    /// Answers a convex set that holds the shape: rays that miss it are not asked of the shape.
+    ///
+    /// The better it fits, the fewer pixels ask. A shape that leaves this to the default is asked
+    /// in every pixel.
+    fn hull(&self) -> Hull<S> {
+        Hull::Everything
+    }
 
     /// Tells what is wrong with the shape, if anything.
     fn check(&self) -> Result<(), Fault> {
@@ -65,14 +83,16 @@ pub enum Shape<S = f32, X = Infallible> {
 macro_rules! dispatch {
     ($shape:expr, $inner:ident => $call:expr) => {
         match $shape {
-            Shape::Sphere($inner) => $call,
-            Shape::Plane($inner) => $call,
-            Shape::Triangle($inner) => $call,
-            Shape::Cuboid($inner) => $call,
-            Shape::Custom($inner) => $call,
+            $crate::shape::Shape::Sphere($inner) => $call,
+            $crate::shape::Shape::Plane($inner) => $call,
+            $crate::shape::Shape::Triangle($inner) => $call,
+            $crate::shape::Shape::Cuboid($inner) => $call,
+            $crate::shape::Shape::Custom($inner) => $call,
         }
     };
 }
+
+pub(crate) use dispatch;
 
 impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
     fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
@@ -87,8 +107,16 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
         dispatch!(self, shape => shape.surface(ray, crossing))
     }
 
-    fn bounds(&self) -> Option<Aabb<S>> {
-        dispatch!(self, shape => shape.bounds())
+    fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        dispatch!(self, shape => shape.occludes(ray, interval))
+    }
+
+    fn is_convex(&self) -> bool {
+        !matches!(self, Self::Custom(shape) if !shape.is_convex())
+    }
+
+    fn hull(&self) -> Hull<S> {
+        dispatch!(self, shape => shape.hull())
     }
 
     fn check(&self) -> Result<(), Fault> {
@@ -103,10 +131,6 @@ impl<S: Scalar> Intersect<S> for Infallible {
     }
 
     fn surface(&self, _: &Ray<S>, _: &Crossing<S>) -> Surface<S> {
-        match *self {}
-    }
-
-    fn bounds(&self) -> Option<Aabb<S>> {
         match *self {}
     }
 }

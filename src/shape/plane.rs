@@ -1,7 +1,7 @@
 use super::Intersect;
-use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
+use crate::hull::Hull;
 use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
 
@@ -24,6 +24,16 @@ impl<S> Plane<S> {
     /// Makes a plane through a point, across a vector of any length.
     pub const fn new(point: Vec3<S>, normal: Vec3<S>) -> Self {
         Self { point, normal }
+    }
+}
+
+impl<S: Scalar> Plane<S> {
+    /// Answers the normal with unit length; most planes have it so.
+    fn unit_normal(&self) -> Option<Vec3<S>> {
+        if self.normal.dot_wide(self.normal) == S::ONE.mul_wide(S::ONE) {
+            return Some(self.normal);
+        }
+        Some(self.normal.normalize()?.0)
     }
 }
 
@@ -55,15 +65,15 @@ impl<S: Scalar> Intersect<S> for Plane<S> {
     }
 
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
-        let normal = self.normal.normalize().map_or(-ray.direction, |(unit, _)| unit);
+        let normal = self.unit_normal().unwrap_or(-ray.direction);
         let rough = ray.at(crossing.t);
         let point = rough + normal * (self.point - rough).dot(normal);
         let (u, v) = flatten(point, self.normal);
         Surface { point, normal, u, v, part: 0 }
     }
 
-    fn bounds(&self) -> Option<Aabb<S>> {
-        None
+    fn hull(&self) -> Hull<S> {
+        Hull::Plane { point: self.point, normal: self.normal }
     }
 
     fn check(&self) -> Result<(), Fault> {

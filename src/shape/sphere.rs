@@ -1,7 +1,7 @@
 use super::Intersect;
-use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
+use crate::hull::Hull;
 use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
 
@@ -25,19 +25,29 @@ impl<S> Sphere<S> {
     }
 }
 
+impl<S: Scalar> Sphere<S> {
+    /// Answers h^2 of a ray that passes the middle at distance `b`; `None` where it misses.
+    fn square_of_half_chord(&self, ray: &Ray<S>, to_center: Vec3<S>, b: S) -> Option<S::Wide> {
+        let reach = self.radius.mul_wide(self.radius);
+        // From behind the middle only a ray inside the ball can meet it.
+        if b < S::ZERO && to_center.dot_wide(to_center) > reach {
+            return None;
+        }
+        let across = to_center - ray.direction * b;
+        let square = reach - across.dot_wide(across);
+        (square >= S::Wide::ZERO).then_some(square)
+    }
+}
+
 impl<S: Scalar> Intersect<S> for Sphere<S> {
     fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
         let to_center = self.center - ray.origin;
         let b = to_center.dot(ray.direction);
         // Saturated: the ball is farther away than anything is looked for.
-        if b.abs() >= S::FAR {
+        if b >= S::FAR || b - self.radius >= interval.far {
             return None;
         }
-        let across = to_center - ray.direction * b;
-        let square = self.radius.mul_wide(self.radius) - across.dot_wide(across);
-        if square < S::Wide::ZERO {
-            return None;
-        }
+        let square = self.square_of_half_chord(ray, to_center, b)?;
         let h = S::sqrt(square);
         let (first, second) = (b - h, b + h);
         if interval.contains(first) {
@@ -46,6 +56,24 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
             Some(Crossing::at(second))
         } else {
             None
+        }
+    }
+
+    /// Asks by squares: a shadow needs no root.
+    fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        let to_center = self.center - ray.origin;
+        let b = to_center.dot(ray.direction);
+        if b >= S::FAR {
+            return false;
+        }
+        let Some(square) = self.square_of_half_chord(ray, to_center, b) else { return false };
+        // Whether b - h, or b + h, lies beyond a distance: h^2 against the square of the way to b.
+        let first_beyond = |t: S| b > t && (b - t).mul_wide(b - t) > square;
+        let second_beyond = |t: S| b > t || (t - b).mul_wide(t - b) < square;
+        if first_beyond(interval.near) {
+            !first_beyond(interval.far)
+        } else {
+            second_beyond(interval.near) && !second_beyond(interval.far)
         }
     }
 
@@ -70,9 +98,8 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
         }
     }
 
-    fn bounds(&self) -> Option<Aabb<S>> {
-        let half = Vec3::new(self.radius, self.radius, self.radius);
-        Some(Aabb { center: self.center, half })
+    fn hull(&self) -> Hull<S> {
+        Hull::Ball { center: self.center, radius: self.radius }
     }
 
     fn check(&self) -> Result<(), Fault> {

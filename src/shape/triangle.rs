@@ -1,7 +1,7 @@
 use super::Intersect;
-use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
+use crate::hull::Hull;
 use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
 
@@ -85,8 +85,8 @@ impl<S: Scalar> Intersect<S> for Triangle<S> {
         }
     }
 
-    fn bounds(&self) -> Option<Aabb<S>> {
-        Some(Aabb::around([self.a, self.b, self.c]))
+    fn hull(&self) -> Hull<S> {
+        Hull::Triangle([self.a, self.b, self.c])
     }
 
     fn check(&self) -> Result<(), Fault> {

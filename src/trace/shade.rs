@@ -1,9 +1,11 @@
 use super::observer::{Observer, RayKind};
-use super::visibility::occluded;
+use super::shadow::Query;
+use super::vicinity::Vicinities;
+use super::visibility::Departure;
 use crate::brdf;
 use crate::color::Rgb;
 use crate::hit::Surface;
-use crate::light::Incidence;
+use crate::light::Light;
 use crate::material::{Material, Model};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -15,50 +17,83 @@ pub(super) struct Site<'a, S: Scalar> {
     /// The surface; its normal points to the viewer's side.
     pub surface: Surface<S>,
     pub material: &'a Material<S>,
-    /// Where the viewer is, unit length.
-    pub to_eye: Vec3<S>,
-    /// Which object the surface belongs to.
-    pub index: u16,
+    /// Where the viewer looks to, unit length.
+    pub direction: Vec3<S>,
+    /// Distance to the viewer.
+    pub distance: S,
+    /// The surface from which rays to the lights start.
+    pub from: Departure,
+    /// How many mirrors the viewer looks through.
+    pub level: u8,
 }
 
-/// Answers the light that a surface sends to the viewer, mirrors left out (rows L1, L2, L3, L7):
-/// `Ia kd + sum of fs l kd (n.L) + fs l ks (r.v)^n`.
-pub(super) fn direct<S: Scalar, X: Intersect<S>>(
-    scene: &Scene<'_, S, X>,
-    site: &Site<'_, S>,
-    observer: &mut impl Observer,
-) -> Rgb<S> {
-    let color = site.material.texture.color(&site.surface);
-    if site.material.model == Model::Flat {
-        return color;
-    }
-    let mut sum = scene.ambient * color * site.material.ambient;
-    for light in scene.lights {
-        let Some(incidence) = light.incidence(site.surface.point) else { continue };
-        let cosine = brdf::lambert(site.surface.normal, incidence.direction);
-        if cosine > S::ZERO && !shadowed(scene, site, &incidence, observer) {
-            sum += incidence.color * (color * cosine + highlight(site, &incidence));
+/// Lights surfaces.
+pub(super) struct Shader<'a, 's, S: Scalar, X> {
+    pub scene: &'s Scene<'a, S, X>,
+    /// What is remembered of shadows; without it every object is asked every time.
+    pub vicinities: Option<&'s mut Vicinities<S>>,
+}
+
+impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
+    /// Answers the light that a surface sends to the viewer, mirrors left out (rows L1, L2, L3, L7):
+    /// `Ia kd + sum of fs l kd (n.L) + fs l ks (r.v)^n`.
+    #[inline(always)]
+    pub fn direct(&mut self, site: &Site<'_, S>, observer: &mut impl Observer) -> Rgb<S> {
+        let color = site.material.texture.color(&site.surface);
+        if site.material.model == Model::Flat {
+            return color;
         }
+        let mut sum = self.scene.ambient * color * site.material.ambient;
+        for (number, light) in (0..).zip(self.scene.lights) {
+            let Some((direction, distance)) = facing(light, &site.surface) else { continue };
+            let cosine = brdf::lambert(site.surface.normal, direction);
+            if cosine > S::ZERO && !self.shadowed(site, number, direction, distance, observer) {
+                sum += light.color() * (color * cosine + highlight(site, direction));
+            }
+        }
+        sum
     }
-    sum
+
+    /// Tells whether anything stands between the surface and a light.
+    #[inline(always)]
+    fn shadowed(
+        &mut self,
+        site: &Site<'_, S>,
+        number: u16,
+        direction: Vec3<S>,
+        distance: S,
+        observer: &mut impl Observer,
+    ) -> bool {
+        observer.ray(RayKind::Shadow);
+        let point = site.surface.point;
+        let query = || Query {
+            ray: Ray::new(point, direction),
+            interval: Interval::new(S::ZERO, distance),
+            from: site.from,
+        };
+        let Some(vicinities) = &mut self.vicinities else { return query().is_blocked(self.scene) };
+        let vicinity = vicinities.of(self.scene, number, site.level, (point, site.distance));
+        !vicinity.is_open(site.from) && query().is_blocked_near(self.scene, vicinity)
+    }
 }
 
-fn shadowed<S: Scalar, X: Intersect<S>>(
-    scene: &Scene<'_, S, X>,
-    site: &Site<'_, S>,
-    incidence: &Incidence<S>,
-    observer: &mut impl Observer,
-) -> bool {
-    observer.ray(RayKind::Shadow);
-    let ray = Ray::new(site.surface.point, incidence.direction);
-    occluded(scene, &ray, &Interval::new(S::ZERO, incidence.distance), Some(site.index))
+/// Answers direction and distance of a light; `None` where the surface faces away from it, and for
+/// a light on the surface.
+fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>, S)> {
+    match *light {
+        Light::Point { position, .. } => {
+            let toward = position - surface.point;
+            // A surface that faces away needs no root.
+            if toward.dot(surface.normal) > S::ZERO { toward.normalize() } else { None }
+        }
+        Light::Directional { toward, .. } => toward.normalize().map(|(unit, _)| (unit, S::FAR)),
+    }
 }
 
-fn highlight<S: Scalar>(site: &Site<'_, S>, incidence: &Incidence<S>) -> Rgb<S> {
+fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>) -> Rgb<S> {
     let material = site.material;
     if !material.specular.is_lit() {
         return Rgb::BLACK;
     }
-    let normal = site.surface.normal;
-    material.specular * brdf::phong(normal, incidence.direction, site.to_eye, material.shininess)
+    material.specular * brdf::phong(site.surface.normal, to_light, -site.direction, material.shininess)
 }

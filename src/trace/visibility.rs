@@ -1,59 +1,96 @@
-use crate::hit::Crossing;
-use crate::math::Scalar;
+//! What rays meet: the nearest object, and whether anything stands before a light.
+
+use super::lane::Lane;
+use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 use crate::scene::{Object, Scene};
-use crate::shape::Intersect;
+use crate::shape::{Intersect, dispatch};
+use core::ops::Range;
 
-/// Is the nearest object a ray meets.
-#[derive(Clone, Copy, Debug)]
-pub struct Found<'a, S: Scalar, X> {
+/// Names the object on whose surface a ray starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
     /// Place of the object in the scene's list.
     pub index: u16,
-    /// The object.
-    pub object: &'a Object<S, X>,
-    /// Where it is met.
-    pub crossing: Crossing<S>,
+    /// Whether the ray leaves a convex shape outward: then it never meets it again.
+    pub free: bool,
 }
 
-fn meet<S: Scalar, X: Intersect<S>>(
-    object: &Object<S, X>,
-    leaves: bool,
-    ray: &Ray<S>,
-    interval: &Interval<S>,
-) -> Option<Crossing<S>> {
-    if leaves { object.shape.intersect_leaving(ray, interval) } else { object.shape.intersect(ray, interval) }
+impl Departure {
+    /// Stands for a start off all surfaces.
+    pub const NOWHERE: Self = Self { index: u16::MAX, free: true };
 }
 
-/// Finds the nearest of the objects named by `candidates`.
+/// Names the objects a ray may meet, by their places in the scene's list, in rising order.
+#[derive(Clone, Debug)]
+pub struct Candidates<'c> {
+    /// Objects named one by one.
+    pub named: &'c [u16],
+    /// All objects from one place on.
+    pub rest: Range<u16>,
+}
+
+impl Candidates<'static> {
+    /// Names all objects of a scene.
+    pub fn all<S: Scalar, X>(scene: &Scene<'_, S, X>) -> Self {
+        Self { named: &[], rest: 0..u16::try_from(scene.objects.len()).unwrap_or(u16::MAX) }
+    }
+}
+
+/// Finds the nearest object of each ray; of two at the same distance the one listed first.
 ///
-/// `leaving` names the object on whose surface the ray starts. Of two objects met at the same
-/// distance the one listed first wins.
-pub fn nearest<'a, S: Scalar, X: Intersect<S>>(
-    scene: &Scene<'a, S, X>,
-    candidates: impl Iterator<Item = u16>,
-    ray: &Ray<S>,
-    mut interval: Interval<S>,
-    leaving: Option<u16>,
-) -> Option<Found<'a, S, X>> {
-    let mut best = None;
-    for index in candidates {
+/// `eye` is where all rays start, if they start at one point off all surfaces.
+pub(super) fn nearest<S: Scalar, X: Intersect<S>>(
+    scene: &Scene<'_, S, X>,
+    candidates: Candidates<'_>,
+    eye: Option<Vec3<S>>,
+    lanes: &mut [Lane<S>],
+) {
+    let Candidates { named, rest } = candidates;
+    for index in named.iter().copied().chain(rest) {
         let Some(object) = scene.objects.get(usize::from(index)) else { continue };
-        if let Some(crossing) = meet(object, leaving == Some(index), ray, &interval) {
-            interval.far = crossing.t;
-            best = Some(Found { index, object, crossing });
+        match eye {
+            Some(eye) => dispatch!(&object.shape, shape => look_from(shape, index, eye, lanes)),
+            None => dispatch!(&object.shape, shape => look(shape, index, lanes)),
         }
     }
-    best
 }
 
-/// Tells whether anything stands inside the interval (row L7).
-pub fn occluded<S: Scalar, X: Intersect<S>>(
-    scene: &Scene<'_, S, X>,
+fn look_from<S: Scalar>(shape: &impl Intersect<S>, index: u16, eye: Vec3<S>, lanes: &mut [Lane<S>]) {
+    for lane in lanes {
+        let ray = Ray::new(eye, lane.ray.direction);
+        if let Some(crossing) = shape.intersect(&ray, &lane.interval) {
+            lane.meet(index, crossing);
+        }
+    }
+}
+
+fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>]) {
+    for lane in lanes {
+        let crossing = if lane.from.index != index {
+            shape.intersect(&lane.ray, &lane.interval)
+        } else if lane.from.free {
+            None
+        } else {
+            shape.intersect_leaving(&lane.ray, &lane.interval)
+        };
+        if let Some(crossing) = crossing {
+            lane.meet(index, crossing);
+        }
+    }
+}
+
+/// Tells whether object number `index` stands inside the interval of a ray that starts on the
+/// surface `from` (row L7).
+pub(super) fn blocks<S: Scalar, X: Intersect<S>>(
+    object: &Object<S, X>,
+    index: usize,
+    from: Departure,
     ray: &Ray<S>,
     interval: &Interval<S>,
-    leaving: Option<u16>,
 ) -> bool {
-    let leaving = leaving.map(usize::from);
-    let mut objects = scene.objects.iter().enumerate();
-    objects.any(|(index, object)| meet(object, leaving == Some(index), ray, interval).is_some())
+    if index != usize::from(from.index) {
+        return object.shape.occludes(ray, interval);
+    }
+    !from.free && object.shape.intersect_leaving(ray, interval).is_some()
 }

@@ -15,7 +15,7 @@ pub fn pivot(view: &View<f64>) -> Vec3<f64> {
     let toward = camera.center - camera.eye;
     let Some((forward, distance)) = toward.normalize() else { return camera.center };
     let depth = |center: Vec3<f64>| (center - camera.eye).dot(forward);
-    let bounds = view.scene.objects.iter().filter_map(|object| object.shape.bounds());
+    let bounds = view.scene.objects.iter().filter_map(|object| object.shape.hull().bounds());
     let mut depths: Vec<f64> = bounds.map(|b| depth(b.center)).filter(|depth| *depth > 0.0).collect();
     depths.sort_by(f64::total_cmp);
     camera.eye + forward * depths.get(depths.len() / 2).copied().unwrap_or(distance)

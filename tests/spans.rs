@@ -1,10 +1,9 @@
-//! The objects left out of a row are objects that no ray of it meets.
+//! The objects left out of a pixel are objects that its ray does not meet.
 
 use embedded_graphics::prelude::Size;
-use heapless::Vec as Stack;
 use proptest::prelude::*;
-use scanray::render::Candidates;
-use scanray::trace::Tracer;
+use scanray::render::Spans;
+use scanray::trace::{Candidates, Packet, Tracer};
 use scanray::{
     Camera, Cuboid, Material, Object, Plane, Projection, Renderer, Rgb, Scene, Settings, Shape, Sky, Sphere,
     Triangle, Vec3, Workspace,
@@ -66,13 +65,12 @@ proptest! {
         for y in 0..ROWS {
             let mut culled = Vec::new();
             renderer.trace_row(y, 0..COLUMNS, &mut (), |_, light| culled.push(light)).expect("a row of the picture");
-            let mut waiting = Stack::<_, 2>::new();
-            let mut tracer = Tracer::new(&scene, &mut waiting, 2);
-            let all = 0..objects.len() as u16;
-            let brute = frame
-                .row(y, 0)
-                .take(COLUMNS as usize)
-                .map(|found| tracer.radiance(&found.ray, &found.interval, all.clone(), &mut ()));
+            let mut tracer = Tracer::new(&scene, 2);
+            let mut packet = Packet::new();
+            let brute = frame.row(y, 0).take(COLUMNS as usize).map(|found| {
+                let ray = std::iter::once((found.ray, found.interval));
+                tracer.radiance(&mut packet, ray, Candidates::all(&scene), &mut ())[0]
+            });
             prop_assert_eq!(culled, brute.collect::<Vec<_>>());
         }
     }
@@ -88,10 +86,12 @@ fn rows_leave_out_what_they_cannot_touch_and_keep_the_order() {
     let origin = Vec3::new(0.0, 0.0, 0.0);
     let camera = Camera::perspective(origin, Vec3::new(0.0, 0.0, -1.0), Vec3::new(0.0, 1.0, 0.0), 60.0);
     let frame = camera.frame(100, 100).expect("a good camera");
-    let mut candidates = Candidates::new();
+    let mut spans = Spans::new();
+    spans.enter_picture(&scene, &frame);
     let mut of_row = |y| {
-        candidates.find(&scene, &frame, y);
-        candidates.iter().collect::<Vec<_>>()
+        spans.enter_row(&scene, &frame, y);
+        spans.enter_column(50);
+        spans.candidates().named.to_vec()
     };
     assert_eq!(of_row(50), [2, 4]);
     assert_eq!(of_row(24), [0]);
@@ -100,14 +100,23 @@ fn rows_leave_out_what_they_cannot_touch_and_keep_the_order() {
 
 #[test]
 fn more_objects_than_the_list_has_room_for_are_all_kept() {
-    let ball = |x: i16| Object::new(Shape::Sphere(Sphere::new(Vec3::new(f32::from(x), 0.0, -50.0), 0.6)), 0);
+    let ball = |x: i16| {
+        Object::new(Shape::Sphere(Sphere::new(Vec3::new(0.4 * f32::from(x) - 20.0, 0.0, -50.0), 0.6)), 0)
+    };
     let objects: Vec<Object> = (0..100).map(ball).collect();
     let materials = [Material::flat(Rgb::WHITE)];
     let scene = scene_of(&objects, &materials);
     let origin = Vec3::new(0.0, 0.0, 0.0);
     let camera = Camera::perspective(origin, Vec3::new(0.0, 0.0, -1.0), Vec3::new(0.0, 1.0, 0.0), 60.0);
     let frame = camera.frame(100, 101).expect("a good camera");
-    let mut candidates = Candidates::new();
-    candidates.find(&scene, &frame, 50);
-    assert_eq!(candidates.iter().collect::<Vec<_>>(), (0..100).collect::<Vec<_>>());
+    let mut spans = Spans::new();
+    spans.enter_picture(&scene, &frame);
+    spans.enter_row(&scene, &frame, 50);
+    let mut seen = std::collections::BTreeSet::new();
+    for x in 0..100 {
+        spans.enter_column(x);
+        let Candidates { named, rest } = spans.candidates();
+        seen.extend(named.iter().copied().chain(rest));
+    }
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), (0..100).collect::<Vec<_>>());
 }

@@ -1,0 +1,61 @@
+use super::visibility::Departure;
+use crate::color::Rgb;
+use crate::hit::Crossing;
+use crate::math::{Scalar, Vec3};
+use crate::ray::{Interval, Ray};
+
+/// Is how many rays are traced together.
+///
+/// An object is looked up once for all of them and asked in one loop, so that what it needs stays
+/// in registers.
+pub const LANES: usize = 8;
+
+/// Is a ray on its way through a scene, with the nearest it has met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lane<S = f32> {
+    pub ray: Ray<S>,
+    /// Where it looks: up to the nearest crossing found.
+    pub interval: Interval<S>,
+    /// Texture coordinates and part of that crossing.
+    pub u: S,
+    pub v: S,
+    pub part: u16,
+    /// The nearest object met, or [`Lane::NOTHING`].
+    pub met: u16,
+    /// The surface the ray starts on.
+    pub from: Departure,
+    /// Which of the rays traced together it is.
+    pub number: u8,
+    /// What of its light reaches the eye.
+    pub weight: Rgb<S>,
+}
+
+impl<S: Scalar> Lane<S> {
+    /// Stands for no object.
+    pub const NOTHING: u16 = u16::MAX;
+
+    /// Is a lane without a ray.
+    pub const IDLE: Self = Self {
+        ray: Ray::new(Vec3::ZERO, Vec3::ZERO),
+        interval: Interval::AHEAD,
+        u: S::ZERO,
+        v: S::ZERO,
+        part: 0,
+        met: Self::NOTHING,
+        from: Departure::NOWHERE,
+        number: 0,
+        weight: Rgb::BLACK,
+    };
+
+    /// Takes note of a crossing nearer than those before.
+    pub fn meet(&mut self, index: u16, crossing: Crossing<S>) {
+        let Crossing { t, part, u, v } = crossing;
+        (self.interval.far, self.part, self.u, self.v) = (t, part, u, v);
+        self.met = index;
+    }
+
+    /// Answers the nearest crossing found.
+    pub fn crossing(&self) -> Crossing<S> {
+        Crossing { t: self.interval.far, part: self.part, u: self.u, v: self.v }
+    }
+}

@@ -1,0 +1,183 @@
+//! What can stand between a light and a small region: found once, asked for many pixels.
+//!
+//! Neighbouring pixels mostly see neighbouring points. Around a lit point a cube is laid, and the
+//! objects that reach into the beam between cube and light are noted; as long as lit points stay
+//! in the cube only those are asked for shadows. What is noted never decides: it leaves out only
+//! objects that no shadow ray of the cube can meet.
+
+use super::visibility::Departure;
+use crate::aabb::Aabb;
+use crate::hull::Hull;
+use crate::light::Light;
+use crate::math::{Scalar, Vec3};
+use crate::scene::Scene;
+use crate::shape::Intersect;
+
+/// Is how many objects are noted one by one: those that follow may always block.
+pub(super) const NOTED: usize = u32::BITS as usize;
+
+/// Is how many cubes are remembered: those of four lights for points seen directly and in mirrors.
+const PLACES: usize = 8;
+
+/// Remembers a cube for each light and level of reflection.
+#[derive(Clone, Debug)]
+pub struct Vicinities<S: Scalar> {
+    places: [Vicinity<S>; PLACES],
+}
+
+/// Is a cube with what may stand between it and one light.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vicinity<S: Scalar> {
+    /// The light, and the level of reflection, that this was found for.
+    owner: u32,
+    center: Vec3<S>,
+    /// Half the side of the cube; below 0 for none.
+    reach: S,
+    /// Whether all objects of the scene have a bit.
+    all_noted: bool,
+    /// Objects that may block, a bit each.
+    pub blockers: u32,
+    /// The object that blocked last.
+    pub last: u16,
+}
+
+impl<S: Scalar> Vicinity<S> {
+    const NOWHERE: Self = Self {
+        owner: 0,
+        center: Vec3::ZERO,
+        reach: S::FAR_BACK,
+        all_noted: false,
+        blockers: 0,
+        last: u16::MAX,
+    };
+
+    fn contains(&self, point: Vec3<S>) -> bool {
+        let off = point - self.center;
+        off.x.abs() <= self.reach && off.y.abs() <= self.reach && off.z.abs() <= self.reach
+    }
+
+    /// Tells whether nothing but the object left can stand in the light.
+    pub fn is_open(&self, from: Departure) -> bool {
+        let left = if from.free { 1_u32.checked_shl(u32::from(from.index)).unwrap_or(0) } else { 0 };
+        self.blockers & !left == 0 && self.all_noted
+    }
+
+    /// Lays the cube around a point. Rare, and kept out of the pixel's path.
+    #[cold]
+    #[inline(never)]
+    fn move_to<X: Intersect<S>>(&mut self, scene: &Scene<'_, S, X>, owner: u32, point: Vec3<S>, distance: S) {
+        // 1/16 of the distance is some 20 pixels of a picture of 320 columns.
+        let reach = distance * S::HALF * S::HALF * S::HALF * S::HALF;
+        let Some(light) = scene.lights.get(usize::from(owner as u16)) else { return };
+        let blockers = Beam::new(point, reach, light).blockers(scene);
+        let all_noted = scene.objects.len() <= NOTED;
+        *self = Self { owner, center: point, reach, all_noted, blockers, last: self.last };
+    }
+}
+
+impl<S: Scalar> Vicinities<S> {
+    /// Makes a memory of nothing.
+    pub const fn new() -> Self {
+        Self { places: [Vicinity::NOWHERE; PLACES] }
+    }
+
+    /// Forgets everything: a new scene begins.
+    pub fn clear(&mut self) {
+        *self = Self::new();
+    }
+
+    /// Answers the vicinity of a point for a light, named by its number, and a level of reflection.
+    ///
+    /// Where it is not the one remembered, a new cube is laid around the point, the larger the
+    /// farther the viewer is.
+    #[inline]
+    pub(super) fn of<X: Intersect<S>>(
+        &mut self,
+        scene: &Scene<'_, S, X>,
+        light: u16,
+        level: u8,
+        (point, distance): (Vec3<S>, S),
+    ) -> &mut Vicinity<S> {
+        let owner = u32::from(light) + (u32::from(level) << 16);
+        let vicinity = &mut self.places[(usize::from(light) + 4 * usize::from(level)) % PLACES];
+        if vicinity.owner != owner || !vicinity.contains(point) {
+            vicinity.move_to(scene, owner, point, distance);
+        }
+        vicinity
+    }
+}
+
+impl<S: Scalar> Default for Vicinities<S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Is all shadow rays from a cube to a light, and a little more: the ball around the cube, swept
+/// to the light.
+struct Beam<S: Scalar> {
+    from: Vec3<S>,
+    toward: Vec3<S>,
+    length: S,
+    /// Radius of the ball, rounding included.
+    radius: S,
+}
+
+impl<S: Scalar> Beam<S> {
+    fn new(center: Vec3<S>, reach: S, light: &Light<S>) -> Self {
+        // The ball around a cube reaches sqrt(3) = 1.73 times as far as its sides.
+        let ball = reach + reach;
+        let (toward, length) = match *light {
+            Light::Point { position, .. } => (position - center).normalize(),
+            Light::Directional { toward, .. } => toward.normalize().map(|(unit, _)| (unit, S::FAR)),
+        }
+        .unwrap_or((Vec3::ZERO, S::ZERO));
+        let [x, y, z] = center.to_array().map(S::abs);
+        Self { from: center, toward, length, radius: ball + (x + y + z + S::ONE) * S::SLACK }
+    }
+
+    /// Answers the objects that reach into the beam, a bit each.
+    fn blockers<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> u32 {
+        let bits = scene.objects.iter().take(NOTED).enumerate();
+        bits.fold(0, |bits, (index, object)| bits | u32::from(self.meets(&object.shape.hull())) << index)
+    }
+
+    fn meets(&self, hull: &Hull<S>) -> bool {
+        match *hull {
+            Hull::Ball { center, radius } => self.meets_ball(center, radius),
+            Hull::Plane { point, normal } => self.meets_plane(point, normal),
+            Hull::Everything => true,
+            _ => hull.bounds().is_none_or(|bounds| self.meets_box(&bounds)),
+        }
+    }
+
+    fn meets_ball(&self, center: Vec3<S>, radius: S) -> bool {
+        let from_start = center - self.from;
+        let ahead = from_start.dot(self.toward).max(S::ZERO).min(self.length);
+        let off = from_start - self.toward * ahead;
+        let slack = ahead * S::SLACK;
+        let reach = radius + self.radius + slack;
+        off.dot_wide(off) <= reach.mul_wide(reach)
+    }
+
+    fn meets_plane(&self, point: Vec3<S>, normal: Vec3<S>) -> bool {
+        let Some((normal, _)) = normal.normalize() else { return true };
+        let height = (point - self.from).dot(normal);
+        let slack = self.radius + height.abs() * S::SLACK;
+        // Rays that go off from the plane's side, or end before it.
+        let rise = self.toward.dot(normal);
+        let end = height - rise * self.length;
+        height.abs() <= slack || (end < slack) != (height < S::ZERO) || end.abs() <= slack
+    }
+
+    fn meets_box(&self, bounds: &Aabb<S>) -> bool {
+        let center = (bounds.center - self.from).to_array();
+        let half = bounds.half.to_array();
+        let mut slabs = center.into_iter().zip(half).zip(self.toward.to_array());
+        slabs.all(|((center, half), toward)| {
+            let end = toward * self.length;
+            let reach = half + self.radius + (center.abs() + end.abs()) * S::SLACK;
+            center + reach >= end.min(S::ZERO) && center - reach <= end.max(S::ZERO)
+        })
+    }
+}
