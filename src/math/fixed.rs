@@ -142,12 +142,12 @@ impl Scalar for Fixed {
 
     #[inline]
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
-        Self::of(steps::dot(&a.map(Self::bits), &b.map(Self::bits)))
+        Self::of(steps::dot(a.map(Self::bits), b.map(Self::bits)))
     }
 
     #[inline]
     fn dot_wide(a: [Self; 3], b: [Self; 3]) -> FixedWide {
-        FixedWide::of(steps::dot_wide(&a.map(Self::bits), &b.map(Self::bits)))
+        FixedWide::of(steps::dot_wide(a.map(Self::bits), b.map(Self::bits)))
     }
 
     fn sqrt(wide: FixedWide) -> Self {
@@ -157,6 +157,11 @@ impl Scalar for Fixed {
     fn div(numerator: FixedWide, denominator: FixedWide) -> Self {
         let (n, d) = (numerator.bits(), denominator.bits());
         Self::from_magnitude(quotient::quotient(n.unsigned_abs(), d.unsigned_abs()), (n ^ d) < 0)
+    }
+
+    fn ratio(self, divisor: Self) -> Self {
+        let (n, d) = (self.bits(), divisor.bits());
+        Self::from_magnitude(quotient::ratio(n.unsigned_abs(), d.unsigned_abs()), (n ^ d) < 0)
     }
 
     fn recip(self) -> Self {
@@ -178,6 +183,7 @@ impl Scalar for Fixed {
         Self::of(rounded as i32)
     }
 
+    #[inline(never)]
     fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
         let (unit, length) = unit(v.map(Self::bits))?;
         Some((unit.map(Self::of), Self::of(length)))

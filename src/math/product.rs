@@ -5,15 +5,9 @@
 //! results are the same bit by bit.
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-pub(super) use halves::{high, high_unsigned, signed, square_high};
+pub(super) use halves::{high, high_by_half, high_unsigned, signed, square_high};
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(super) use whole::{high, high_unsigned, signed, square_high};
-
-/// Answers the upper 32 of the 48 bits of `a * b`.
-#[inline(always)]
-pub(super) fn high_by_half(a: u32, b: u16) -> u32 {
-    high_unsigned(a, u32::from(b) << 16)
-}
+pub(super) use whole::{high, high_by_half, high_unsigned, signed, square_high};
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod whole {
@@ -33,6 +27,12 @@ mod whole {
     #[inline(always)]
     pub fn high_unsigned(a: u32, b: u32) -> u32 {
         ((u64::from(a) * u64::from(b)) >> 32) as u32
+    }
+
+    /// Answers `a * b / 2^16`, rounded down.
+    #[inline(always)]
+    pub fn high_by_half(a: u32, b: u16) -> u32 {
+        high_unsigned(a, u32::from(b) << 16)
     }
 
     /// Answers `a * a / 2^32`, rounded down.
@@ -77,12 +77,20 @@ mod halves {
     }
 
     /// Answers `a * b / 2^32` of unsigned numbers, rounded down.
+    ///
+    /// By the product of signed ones: of unsigned halves the compiler makes a product of 64-bit numbers again.
     #[inline(always)]
     pub fn high_unsigned(a: u32, b: u32) -> u32 {
-        let ((a, a_low), (b, b_low)) = ((a >> 16, a & 0xffff), (b >> 16, b & 0xffff));
-        let first = a * b_low + ((a_low * b_low) >> 16);
-        let second = a_low * b + (first & 0xffff);
-        a * b + (first >> 16) + (second >> 16)
+        let negative = |n: u32| (n as i32 >> 31) as u32;
+        let signed = high(a as i32, b as i32) as u32;
+        signed.wrapping_add(negative(a) & b).wrapping_add(negative(b) & a)
+    }
+
+    /// Answers `a * b / 2^16`, rounded down.
+    #[inline(always)]
+    pub fn high_by_half(a: u32, b: u16) -> u32 {
+        let b = u32::from(b);
+        (a >> 16) * b + (((a & 0xffff) * b) >> 16)
     }
 
     /// Answers `a * a / 2^32`, rounded down.
@@ -115,6 +123,8 @@ mod tests {
             assert_eq!(halves::high(a, b), whole::high(a, b), "{a} * {b}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(halves::high_unsigned(a, b), whole::high_unsigned(a, b), "{a} * {b}");
+            let b = (b >> 16) as u16;
+            assert_eq!(halves::high_by_half(a, b), whole::high_by_half(a, b), "{a} * {b}");
         }
     }
 

@@ -6,9 +6,6 @@
 use super::product::high_by_half;
 use super::seed::{entry, seed};
 
-/// Is the first interval of the table: x from 64/128.
-const FIRST: usize = 64;
-
 /// Holds 1/x over each 1/128 of x from 1/2 to 1.
 static LINES: [u32; 64] = lines();
 
@@ -17,7 +14,7 @@ const fn lines() -> [u32; 64] {
     let mut i = 0;
     while i < 64 {
         // x = n / 256, so 2^20 / x = 2^28 / n.
-        let n = 2 * (FIRST + i) as u32;
+        let n = 2 * (64 + i) as u32;
         let [start, middle, end] = [(1 << 28) / n, (1 << 28) / (n + 1), (1 << 28) / (n + 2)];
         // The chord lies above the curve, most in the middle: half of that below keeps the error smallest.
         let above = (start + end - 2 * middle) / 4;
@@ -39,7 +36,7 @@ impl Reciprocal {
     /// Takes x = `m` / 2^32, where `m` is at least 2^31.
     #[inline(always)]
     pub fn of(m: u32) -> Self {
-        let rough = seed(&LINES, FIRST, m);
+        let rough = seed(&LINES, m);
         let missing = (1_u32 << 31).wrapping_sub(high_by_half(m, rough)) as i32 >> 2;
         Self { rough, missing }
     }

@@ -67,6 +67,10 @@ pub trait Scalar:
     fn sqrt(wide: Self::Wide) -> Self;
     /// Divides two wide values. A zero divisor answers the largest value of the quotient's sign.
     fn div(numerator: Self::Wide, denominator: Self::Wide) -> Self;
+    /// Divides by another number, like [`Self::div`].
+    fn ratio(self, divisor: Self) -> Self {
+        Self::div(self.mul_wide(Self::ONE), divisor.mul_wide(Self::ONE))
+    }
     /// Answers 1/self; for 0 the largest value.
     fn recip(self) -> Self;
     /// Rounds a wide value down to a whole number; saturates.

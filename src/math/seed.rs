@@ -8,10 +8,11 @@ pub(super) const fn entry(start: u32, fall: u32) -> u32 {
     start << 15 | fall
 }
 
-/// Answers the table's line at `m`, as a fraction of 2^15; the upper 7 bits of `m` choose among intervals from `first`.
+/// Answers the table's line at `m`, as a fraction of 2^15; the upper bits of `m` choose among 128 intervals, or among
+/// the later 64.
 #[inline(always)]
-pub(super) fn seed<const N: usize>(table: &[u32; N], first: usize, m: u32) -> u16 {
-    let entry = table.get(((m >> 25) as usize).wrapping_sub(first)).copied().unwrap_or(u32::MAX << 15);
+pub(super) fn seed<const N: usize>(table: &[u32; N], m: u32) -> u16 {
+    let entry = table[(m >> 25) as usize % N];
     let share = (m << 7) >> 16;
     let fall = ((entry & 0x7fff) * share) >> 20;
     (((entry >> 15) - fall) >> 1) as u16

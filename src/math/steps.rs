@@ -67,8 +67,8 @@ pub(super) fn multiply(a: i32, b: i32) -> i32 {
 /// Answers `o + a b`, rounded down.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 pub(super) fn add_product(o: i32, a: i32, b: i32) -> i32 {
-    let sum = (i64::from(o) << FRACTION_BITS) + signed(a, b);
-    fit(sum, || saturated(upper(sum)))
+    let product = signed(a, b);
+    add(o, fit(product, || saturated(upper(product))))
 }
 
 /// Rounds to the nearest step.
@@ -86,18 +86,28 @@ pub(super) fn determinant([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i32 {
 }
 
 /// Answers the scalar product, rounded.
+#[inline(always)]
+pub(super) fn dot([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> i32 {
+    dot_of_components(ax, ay, az, bx, by, bz)
+}
+
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
-pub(super) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i32 {
-    let [x, y, z] = [signed(a[0], b[0]), signed(a[1], b[1]), signed(a[2], b[2])];
+fn dot_of_components(ax: i32, ay: i32, az: i32, bx: i32, by: i32, bz: i32) -> i32 {
+    let [x, y, z] = [signed(ax, bx), signed(ay, by), signed(az, bz)];
     // Three products of 2^62 may wrap round once, which leaves a number far too large to fit all the same.
     let sum = x.wrapping_add(y).wrapping_add(z).wrapping_add(HALF);
     fit(sum, || saturated((upper(x) >> 2) + (upper(y) >> 2) + (upper(z) >> 2)))
 }
 
 /// Answers the scalar product with all its 40 places.
+#[inline(always)]
+pub(super) fn dot_wide([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> i64 {
+    dot_wide_of_components(ax, ay, az, bx, by, bz)
+}
+
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
-pub(super) fn dot_wide(a: &[i32; 3], b: &[i32; 3]) -> i64 {
-    let [x, y, z] = [signed(a[0], b[0]), signed(a[1], b[1]), signed(a[2], b[2])];
+fn dot_wide_of_components(ax: i32, ay: i32, az: i32, bx: i32, by: i32, bz: i32) -> i64 {
+    let [x, y, z] = [signed(ax, bx), signed(ay, by), signed(az, bz)];
     let quarter = (upper(x) >> 2) + (upper(y) >> 2) + (upper(z) >> 2);
     // A quarter of the sum, at most three too small, tells whether the sum fits.
     if (quarter.wrapping_add(1 << 29) as u32) < (1 << 30) - 3 {
@@ -141,13 +151,13 @@ mod tests {
     #[test]
     fn sums_of_products_saturate_at_the_end_they_pass() {
         for [o, a, b] in triples() {
-            let exact = (i128::from(o) << 20) + i128::from(a) * i128::from(b);
-            assert_eq!(add_product(o, a, b), clamp(exact >> 20), "{o} + {a} * {b}");
+            let product = clamp((i128::from(a) * i128::from(b)) >> 20);
+            assert_eq!(add_product(o, a, b), o.saturating_add(product), "{o} + {a} * {b}");
         }
         for (a, b) in triples().flat_map(|a| triples().step_by(7).map(move |b| (a, b))) {
             let product = |i: usize, j: usize| i128::from(a[i]) * i128::from(b[j]);
             let sum = product(0, 0) + product(1, 1) + product(2, 2);
-            assert_eq!(dot(&a, &b), clamp((sum + (1 << 19)) >> 20), "{a:?} . {b:?}");
+            assert_eq!(dot(a, b), clamp((sum + (1 << 19)) >> 20), "{a:?} . {b:?}");
             let minor = product(0, 1) - product(1, 0);
             assert_eq!(
                 determinant([a[0], a[1]], [b[0], b[1]]),
@@ -162,7 +172,7 @@ mod tests {
         for (a, b) in triples().flat_map(|a| triples().step_by(7).map(move |b| (a, b))) {
             let exact: i128 = (0..3).map(|i| i128::from(a[i]) * i128::from(b[i])).sum();
             let fitting = exact.clamp(i64::MIN.into(), i64::MAX.into());
-            assert_eq!(i128::from(dot_wide(&a, &b)), fitting, "{a:?} . {b:?}");
+            assert_eq!(i128::from(dot_wide(a, b)), fitting, "{a:?} . {b:?}");
         }
     }
 }

@@ -54,6 +54,7 @@ fn measure<S: Scalar>() {
     print("normalize", ticks(&list, |o| o.a.normalize()));
     print("square root", ticks(&list, |o| S::sqrt(o.w)));
     print("divide", ticks(&list, |o| S::div(o.w, o.d)));
+    print("ratio", ticks(&list, |o| o.a.x.ratio(o.t)));
     print("reciprocal", ticks(&list, |o| o.t.recip()));
     print("32nd power", ticks(&list, |o| o.t.pow_unit(32)));
 }
