@@ -19,7 +19,7 @@ impl<S: Scalar> Ray<S> {
 
     /// Answers the point at distance `t`.
     pub fn at(&self, t: S) -> Vec3<S> {
-        self.origin + self.direction * t
+        self.origin.add_scaled(self.direction, t)
     }
 }
 

@@ -15,15 +15,11 @@ fn lambert<S: Scalar>(a: S) -> S {
     let square = a * a;
     let mut tail = S::from_i32(15);
     for odd in [13, 11, 9, 7, 5, 3, 1] {
-        tail = S::from_i32(odd) - quotient(square, tail);
+        tail = S::from_i32(odd) - square.ratio(tail);
     }
-    quotient(a, tail)
+    a.ratio(tail)
 }
 
 fn double_angle<S: Scalar>(tangent: S) -> S {
-    quotient(tangent + tangent, S::ONE - tangent * tangent)
-}
-
-fn quotient<S: Scalar>(numerator: S, denominator: S) -> S {
-    S::div(numerator.mul_wide(S::ONE), denominator.mul_wide(S::ONE))
+    (tangent + tangent).ratio(S::ONE - tangent * tangent)
 }

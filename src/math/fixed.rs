@@ -3,14 +3,13 @@
 //! 20 bits behind the point make a step of 1e-6: a ray of unit length that is half a step off
 //! lands 5e-4 off at a distance of 1000. 12 bits before it reach 2048.
 
-use super::reciprocal::reciprocal;
-use super::root;
-use super::scalar::{Scalar, Wide};
+use super::scalar::Scalar;
+use super::steps::{self, FRACTION_BITS};
 use super::vec3::Vec3;
+use super::wide::FixedWide;
+use super::{power::power, quotient, root, unit::unit};
 use core::ops::{Add, Mul, Neg, Sub};
-use fixed::types::{I12F20, I24F40};
-
-const FRACTION_BITS: u32 = 20;
+use fixed::types::I12F20;
 
 /// Is a fixed-point number whose operators saturate.
 ///
@@ -22,10 +21,6 @@ const FRACTION_BITS: u32 = 20;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fixed(I12F20);
-
-/// Is a product of two [`Fixed`], or a sum of such products: 24 bits before the point, 40 behind.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct FixedWide(I24F40);
 
 impl Vec3<Fixed> {
     /// Rounds three literals, at compile time for a constant.
@@ -46,119 +41,74 @@ impl Fixed {
     pub const fn new(value: f64) -> Self {
         let scaled = value * (1_u32 << FRACTION_BITS) as f64;
         let rounded = if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 };
-        Self(I12F20::from_bits(rounded as i32))
+        Self::of(rounded as i32)
     }
 
     /// Converts exactly.
     pub fn to_f64(self) -> f64 {
-        f64::from(self.0.to_bits()) / f64::from(1_u32 << FRACTION_BITS)
+        f64::from(self.bits()) / f64::from(1_u32 << FRACTION_BITS)
     }
 
-    fn bits(self) -> i32 {
+    const fn of(steps: i32) -> Self {
+        Self(I12F20::from_bits(steps))
+    }
+
+    const fn bits(self) -> i32 {
         self.0.to_bits()
     }
 
     /// Takes a magnitude in steps and a sign; saturates.
-    fn from_magnitude(steps: u64, negative: bool) -> Self {
-        let steps = i32::try_from(steps).unwrap_or(i32::MAX);
-        Self(I12F20::from_bits(if negative { -steps } else { steps }))
+    fn from_magnitude(steps: u32, negative: bool) -> Self {
+        let steps = steps.min(i32::MAX as u32) as i32;
+        Self::of(if negative { -steps } else { steps })
     }
 }
 
 impl Add for Fixed {
     type Output = Self;
+    #[inline]
     fn add(self, rhs: Self) -> Self {
-        Self(self.0.saturating_add(rhs.0))
+        Self::of(steps::add(self.bits(), rhs.bits()))
     }
 }
 
 impl Sub for Fixed {
     type Output = Self;
+    #[inline]
     fn sub(self, rhs: Self) -> Self {
-        Self(self.0.saturating_sub(rhs.0))
+        Self::of(steps::subtract(self.bits(), rhs.bits()))
     }
 }
 
 impl Mul for Fixed {
     type Output = Self;
+    #[inline]
     fn mul(self, rhs: Self) -> Self {
-        Self(self.0.saturating_mul(rhs.0))
+        Self::of(steps::multiply(self.bits(), rhs.bits()))
     }
 }
 
 impl Neg for Fixed {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
-        Self(self.0.saturating_neg())
-    }
-}
-
-impl Add for FixedWide {
-    type Output = Self;
-    fn add(self, rhs: Self) -> Self {
-        Self(self.0.saturating_add(rhs.0))
-    }
-}
-
-impl Sub for FixedWide {
-    type Output = Self;
-    fn sub(self, rhs: Self) -> Self {
-        Self(self.0.saturating_sub(rhs.0))
-    }
-}
-
-impl Neg for FixedWide {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(self.0.saturating_neg())
-    }
-}
-
-impl Wide for FixedWide {
-    const ZERO: Self = Self(I24F40::ZERO);
-
-    fn scale(self, numerator: i32, denominator: i32) -> Self {
-        // Quotient and remainder apart: their product with the numerator is rounded down once.
-        let (bits, numerator, divisor) =
-            (self.0.to_bits(), i64::from(numerator), i64::from(denominator.max(1)));
-        let whole = bits.div_euclid(divisor).saturating_mul(numerator);
-        let part = (bits.rem_euclid(divisor) * numerator).div_euclid(divisor);
-        Self(I24F40::from_bits(whole.saturating_add(part)))
-    }
-}
-
-/// Answers n / d in steps, rounded, within half a step + 4e-9 relative; too much for `Fixed` where
-/// it is 2048 or more.
-fn quotient(n: u64, d: u64) -> u64 {
-    if d == 0 {
-        return u64::MAX;
-    }
-    // Both as 32 significant bits and a shift.
-    let (up, down) = (n.leading_zeros(), d.leading_zeros());
-    let [m, divisor] = [(n << (up & 63)) >> 32, (d << down) >> 32];
-    let product = m * u64::from(reciprocal(divisor as u32));
-    // n / d = m / divisor * 2^(down - up), and the product is m / divisor * 2^62.
-    let shift = (62 - FRACTION_BITS + up).saturating_sub(down);
-    match shift {
-        0..30 => u64::MAX,
-        30..64 => (product + ((1 << shift) >> 1)) >> shift,
-        _ => 0,
+        Self::of(self.bits().saturating_neg())
     }
 }
 
 /// Scalar of the chips without a floating-point unit; one step is 2^-20.
 ///
-/// Error bounds: products one step, sums none, [`Scalar::sqrt`] one step + 4e-9 relative,
-/// [`Scalar::div`] and [`Scalar::recip`] one step + 4e-9 relative, [`Scalar::normalize`] one step a component and
-/// one step + 4e-9 relative for the length, [`Scalar::narrow`] half a step,
-/// [`Scalar::pow_unit`] two steps beyond the error of its argument.
+/// Error bounds: products one step, sums none, [`Scalar::sqrt`], [`Scalar::div`] and [`Scalar::recip`] one step +
+/// 1e-8 relative, [`Scalar::normalize`] one step a component and one step + 1e-8 relative for the length,
+/// [`Scalar::narrow`] half a step, [`Scalar::pow_unit`] two steps beyond the error of its argument up to an exponent
+/// of 4096.
 impl Scalar for Fixed {
     type Wide = FixedWide;
 
     const ZERO: Self = Self(I12F20::ZERO);
     const ONE: Self = Self(I12F20::ONE);
     const HALF: Self = Self::new(0.5);
-    const BELOW_ONE: Self = Self(I12F20::from_bits((1 << FRACTION_BITS) - 1));
+    const BELOW_ONE: Self = Self::of((1 << FRACTION_BITS) - 1);
     const PARALLEL: Self = Self::new(1.0 / 65_536.0);
     const PI: Self = Self::new(core::f64::consts::PI);
     const FAR: Self = Self::MAX;
@@ -173,71 +123,73 @@ impl Scalar for Fixed {
         Self(I12F20::saturating_from_num(n))
     }
 
+    #[inline]
     fn mul_wide(self, rhs: Self) -> FixedWide {
-        FixedWide(self.0.wide_mul(rhs.0))
+        FixedWide::of(steps::multiply_wide(self.bits(), rhs.bits()))
     }
 
+    #[inline]
     fn narrow(wide: FixedWide) -> Self {
-        let steps = wide.0.to_bits().saturating_add(1 << (FRACTION_BITS - 1)) >> FRACTION_BITS;
-        Self(I12F20::from_bits(steps.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32))
+        Self::of(steps::narrow(wide.bits()))
+    }
+
+    #[inline]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        Self::of(steps::add_product(self.bits(), a.bits(), b.bits()))
+    }
+
+    #[inline]
+    fn determinant(first: [Self; 2], second: [Self; 2]) -> Self {
+        Self::of(steps::determinant(first.map(Self::bits), second.map(Self::bits)))
+    }
+
+    #[inline]
+    fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self::of(steps::dot(a.map(Self::bits), b.map(Self::bits)))
+    }
+
+    #[inline]
+    fn dot_wide(a: [Self; 3], b: [Self; 3]) -> FixedWide {
+        FixedWide::of(steps::dot_wide(a.map(Self::bits), b.map(Self::bits)))
     }
 
     fn sqrt(wide: FixedWide) -> Self {
-        let square = u64::try_from(wide.0.to_bits()).unwrap_or(0);
-        Self::from_magnitude(root::sqrt(square), false)
+        Self::of(root::sqrt(u64::try_from(wide.bits()).unwrap_or(0)))
     }
 
     fn div(numerator: FixedWide, denominator: FixedWide) -> Self {
-        let (n, d) = (numerator.0.to_bits(), denominator.0.to_bits());
-        Self::from_magnitude(quotient(n.unsigned_abs(), d.unsigned_abs()), (n < 0) != (d < 0))
+        let (n, d) = (numerator.bits(), denominator.bits());
+        Self::from_magnitude(quotient::quotient(n.unsigned_abs(), d.unsigned_abs()), (n ^ d) < 0)
+    }
+
+    fn ratio(self, divisor: Self) -> Self {
+        let (n, d) = (self.bits(), divisor.bits());
+        Self::from_magnitude(quotient::ratio(n.unsigned_abs(), d.unsigned_abs()), (n ^ d) < 0)
     }
 
     fn recip(self) -> Self {
-        let size = u64::from(self.bits().unsigned_abs());
-        Self::from_magnitude(quotient(1 << FRACTION_BITS, size), self.bits() < 0)
+        Self::from_magnitude(quotient::reciprocal(self.bits().unsigned_abs()), self.bits() < 0)
     }
 
+    #[inline]
     fn floor(wide: FixedWide) -> i32 {
-        (wide.0.to_bits() >> (2 * FRACTION_BITS)) as i32
+        (wide.bits() >> (2 * FRACTION_BITS)) as i32
     }
 
     fn pow_unit(self, exponent: u16) -> Self {
-        // Fractions of 2^31, so that squaring again and again loses nothing of the 20 places.
-        const ONE: u64 = 1 << 31;
-        let multiply = |a: u64, b: u64| (a * b + (ONE >> 1)) >> 31;
-        let mut base = (self.bits().clamp(0, 1 << FRACTION_BITS) as u64) << 11;
-        let (mut left, mut product) = (exponent, ONE);
-        while left > 0 {
-            if left & 1 == 1 {
-                product = multiply(product, base);
-            }
-            base = multiply(base, base);
-            left >>= 1;
+        if self >= Self::ONE || exponent == 0 {
+            return Self::ONE;
         }
-        Self::from_magnitude((product + (1 << 10)) >> 11, false)
+        // A fraction of 2^32, so that squaring again and again loses nothing of the 20 places.
+        let fraction = (self.bits().max(0) as u32) << (32 - FRACTION_BITS);
+        let rounded = (power(fraction, exponent) + (1 << (31 - FRACTION_BITS))) >> (32 - FRACTION_BITS);
+        Self::of(rounded as i32)
     }
 
+    #[inline(never)]
     fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
-        let [x, y, z] = v.map(|c| i64::from(c.bits()));
-        let largest = x.unsigned_abs().max(y.unsigned_abs()).max(z.unsigned_abs());
-        if largest == 0 {
-            return None;
-        }
-        // Lift the largest component to at least 2^30, so that short vectors keep their digits.
-        let lift = largest.leading_zeros().saturating_sub(33);
-        let (x, y, z) = (x << lift, y << lift, z << lift);
-        let square = (x * x) as u64 + (y * y) as u64 + (z * z) as u64;
-        let even = square.leading_zeros() & !1;
-        let m = ((square << even) >> 32) as u32;
-        let reciprocal = root::rsqrt(m);
-        // Component * 2^20 / length, where 1 / length = reciprocal / 2^(62 - even / 2).
-        let down = 42 - even / 2;
-        let unit = |c: i64| {
-            let steps = (c * i64::from(reciprocal) + (1 << (down - 1))) >> down;
-            Self(I12F20::from_bits(steps as i32))
-        };
-        let length = ((u64::from(m) * u64::from(reciprocal)) >> 30) >> (even / 2);
-        Some(([unit(x), unit(y), unit(z)], Self::from_magnitude(length >> lift, false)))
+        let (unit, length) = unit(v.map(Self::bits))?;
+        Some((unit.map(Self::of), Self::of(length)))
     }
 
     fn light_bits(self) -> u32 {

@@ -8,12 +8,23 @@ mod float;
 
 mod double;
 mod fixed;
+mod wide;
+
+mod power;
+mod product;
+mod quotient;
 mod reciprocal;
 mod root;
+mod seed;
+mod steps;
+mod unit;
+mod zeros;
+
 mod scalar;
 mod vec3;
 
 pub use angle::tan_half;
-pub use fixed::{Fixed, FixedWide};
+pub use fixed::Fixed;
 pub use scalar::{Scalar, Wide};
 pub use vec3::{Vec3, WideVec3};
+pub use wide::FixedWide;

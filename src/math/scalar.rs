@@ -54,10 +54,30 @@ pub trait Scalar:
     fn mul_wide(self, rhs: Self) -> Self::Wide;
     /// Brings a wide value back; saturates.
     fn narrow(wide: Self::Wide) -> Self;
+    /// Answers `self + a b`.
+    fn add_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+    /// Answers `a d - b c` of the rows `[a, b]` and `[c, d]`, rounded once in fixed point.
+    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Self::narrow(a.mul_wide(d) - b.mul_wide(c))
+    }
+    /// Answers the scalar product, rounded once in fixed point.
+    fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
+        Self::narrow(Self::dot_wide(a, b))
+    }
+    /// Answers the scalar product as a wide value.
+    fn dot_wide(a: [Self; 3], b: [Self; 3]) -> Self::Wide {
+        a[0].mul_wide(b[0]) + a[1].mul_wide(b[1]) + a[2].mul_wide(b[2])
+    }
     /// Takes the square root of a wide value; 0 for a negative one.
     fn sqrt(wide: Self::Wide) -> Self;
     /// Divides two wide values. A zero divisor answers the largest value of the quotient's sign.
     fn div(numerator: Self::Wide, denominator: Self::Wide) -> Self;
+    /// Divides by another number, like [`Self::div`].
+    fn ratio(self, divisor: Self) -> Self {
+        Self::div(self.mul_wide(Self::ONE), divisor.mul_wide(Self::ONE))
+    }
     /// Answers 1/self; for 0 the largest value.
     fn recip(self) -> Self;
     /// Rounds a wide value down to a whole number; saturates.

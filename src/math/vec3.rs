@@ -40,22 +40,26 @@ impl<S: Scalar> Vec3<S> {
 
     /// Answers the scalar product as a wide value.
     pub fn dot_wide(self, rhs: Self) -> S::Wide {
-        self.x.mul_wide(rhs.x) + self.y.mul_wide(rhs.y) + self.z.mul_wide(rhs.z)
+        S::dot_wide(self.to_array(), rhs.to_array())
     }
 
     /// Answers the scalar product.
     pub fn dot(self, rhs: Self) -> S {
-        S::narrow(self.dot_wide(rhs))
+        S::dot(self.to_array(), rhs.to_array())
     }
 
     /// Answers the vector product (right-handed).
     pub fn cross(self, rhs: Self) -> Self {
-        let minor = |a: S, b: S, c: S, d: S| S::narrow(a.mul_wide(d) - b.mul_wide(c));
         Self::new(
-            minor(self.y, self.z, rhs.y, rhs.z),
-            minor(self.z, self.x, rhs.z, rhs.x),
-            minor(self.x, self.y, rhs.x, rhs.y),
+            S::determinant([self.y, self.z], [rhs.y, rhs.z]),
+            S::determinant([self.z, self.x], [rhs.z, rhs.x]),
+            S::determinant([self.x, self.y], [rhs.x, rhs.y]),
         )
+    }
+
+    /// Answers `self + rhs by`.
+    pub fn add_scaled(self, rhs: Self, by: S) -> Self {
+        Self::new(self.x.add_product(rhs.x, by), self.y.add_product(rhs.y, by), self.z.add_product(rhs.z, by))
     }
 
     /// Scales to unit length and answers the length too; `None` for a vector of no length.
@@ -72,7 +76,7 @@ impl<S: Scalar> Vec3<S> {
     /// Mirrors a travelling direction at a unit normal: `d - 2 (d.n) n`.
     pub fn reflect(self, normal: Self) -> Self {
         let along = self.dot(normal);
-        self - normal * (along + along)
+        self.add_scaled(normal, -(along + along))
     }
 
     /// Multiplies by a scalar into wide components.

@@ -1,0 +1,57 @@
+//! Quotients in steps of 2^-20.
+
+use super::reciprocal::Reciprocal;
+use super::steps::FRACTION_BITS;
+use super::zeros::{leading_zeros, lift};
+
+/// Answers n / d in steps, rounded, within half a step + 1e-8 relative; `i32::MAX` or more where that is too much
+/// for the range, as where d is 0.
+#[inline(never)]
+pub(super) fn quotient(n: u64, d: u64) -> u32 {
+    let ((m, up), (divisor, down)) = (lift(n), lift(d));
+    if divisor == 0 {
+        return u32::MAX;
+    }
+    ratio_of_lifted(m, divisor, up.wrapping_sub(down))
+}
+
+/// Answers n / d of 32-bit numbers, like [`quotient`].
+#[inline(never)]
+pub(super) fn ratio(n: u32, d: u32) -> u32 {
+    if d == 0 {
+        return u32::MAX;
+    }
+    let (up, down) = (leading_zeros(n), leading_zeros(d));
+    ratio_of_lifted(n << up, d << down, up.wrapping_sub(down))
+}
+
+/// Answers n / (d 2^`down`) in steps; of both numbers the uppermost bit is set, unless n is 0.
+#[inline(always)]
+fn ratio_of_lifted(n: u32, d: u32, down: u32) -> u32 {
+    // half is n / d in fractions of 2^30.
+    let half = Reciprocal::of(d).times_half(n >> 1);
+    shift_down(half, down.wrapping_add(30 - FRACTION_BITS))
+}
+
+/// Answers 1 / d of d steps, like [`quotient`].
+#[inline(never)]
+pub(super) fn reciprocal(d: u32) -> u32 {
+    if d == 0 {
+        return u32::MAX;
+    }
+    let down = leading_zeros(d);
+    // 2^40 / d = value / 2^62 * 2^(40 + down).
+    shift_down(Reciprocal::of(d << down).value(), 22_u32.wrapping_sub(down))
+}
+
+/// Answers n / 2^`places`, rounded; n is at least 2^29, and what a negative number of places leaves too long is
+/// answered by the largest number.
+#[inline(always)]
+fn shift_down(n: u32, places: u32) -> u32 {
+    match places {
+        0..32 => (n + ((1 << places) >> 1)) >> places,
+        u32::MAX => n.saturating_add(n),
+        0x8000_0000.. => u32::MAX,
+        _ => 0,
+    }
+}
