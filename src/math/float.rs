@@ -55,12 +55,12 @@ macro_rules! float_scalar {
 
             /// Below the least normal number, and for what is not a number, the answer is 0.
             fn sqrt(wide: $float) -> Self {
-                if wide >= <$float>::MIN_POSITIVE {
-                    // An infinite argument would meet 0 * infinity below.
-                    if wide > <$float>::MAX {
-                        return wide;
-                    }
+                // As in `normalize`, one comparison of bits finds what has an ordinary root.
+                let (least, most) = (<$float>::MIN_POSITIVE.to_bits(), <$float>::MAX.to_bits());
+                if wide.to_bits().wrapping_sub(least) <= most - least {
                     wide * rsqrt(wide)
+                } else if wide > <$float>::MAX {
+                    wide
                 } else {
                     0.0
                 }
@@ -96,8 +96,10 @@ macro_rules! float_scalar {
 
             fn normalize([x, y, z]: [Self; 3]) -> Option<([Self; 3], Self)> {
                 let square = x * x + y * y + z * z;
-                // Shorter ones would take the reciprocal root out of the range.
-                if !($shortest..=<$float>::MAX).contains(&square) {
+                // Shorter ones would take the reciprocal root out of the range. Floats above zero are in the order of
+                // their bits, and infinities and what is no number come last: one comparison, as cheap as an integer's.
+                let (shortest, longest) = (<$float>::to_bits($shortest), <$float>::MAX.to_bits());
+                if square.to_bits().wrapping_sub(shortest) > longest - shortest {
                     return None;
                 }
                 let r = rsqrt(square);

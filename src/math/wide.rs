@@ -1,6 +1,7 @@
 //! [`FixedWide`]: products of fixed-point numbers, and their sums.
 
 use super::scalar::Wide;
+use super::zeros::leading_zeros;
 use core::hint::cold_path;
 use core::ops::{Add, Neg, Sub};
 use fixed::types::I24F40;
@@ -58,11 +59,22 @@ impl Neg for FixedWide {
 impl Wide for FixedWide {
     const ZERO: Self = Self::of(0);
 
+    /// Called, never inlined: 64-bit divisions and their operands were a third of an M0+'s image.
+    #[inline(never)]
     fn scale(self, numerator: i32, denominator: i32) -> Self {
+        if numerator == 1 && denominator > 0 && denominator & (denominator - 1) == 0 {
+            return Self::of(self.bits() >> (31 - leading_zeros(denominator as u32)));
+        }
         // Quotient and remainder apart: their product with the numerator is rounded down once.
-        let (bits, numerator, divisor) = (self.bits(), i64::from(numerator), i64::from(denominator.max(1)));
-        let whole = bits.div_euclid(divisor).saturating_mul(numerator);
-        let part = (bits.rem_euclid(divisor) * numerator).div_euclid(divisor);
+        let (bits, divisor) = (self.bits(), i64::from(denominator.max(1)));
+        let (quotient, remainder) = (bits.div_euclid(divisor), bits.rem_euclid(divisor));
+        let whole = quotient.saturating_mul(i64::from(numerator));
+        // Numbers as small as a panel's sides need no second division of 64 bits: 300 instructions less on an M0+.
+        let small = u32::try_from(numerator).ok().and_then(|n| (remainder as u32).checked_mul(n));
+        let part = match small {
+            Some(product) => i64::from(product / divisor as u32),
+            None => (remainder * i64::from(numerator)).div_euclid(divisor),
+        };
         Self::of(whole.saturating_add(part))
     }
 }
