@@ -78,3 +78,32 @@ impl Wide for FixedWide {
         Self::of(whole.saturating_add(part))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_and_differences_saturate_at_the_end_they_pass() {
+        let ends = [i64::MIN, i64::MIN + 1, -(1 << 62), -(1 << 32), -1, 0, 1, 1 << 32, 1 << 62, i64::MAX];
+        for (a, b) in ends.iter().flat_map(|a| ends.map(|b| (*a, b))) {
+            let (p, q) = (FixedWide::of(a), FixedWide::of(b));
+            assert_eq!((p + q).bits(), a.saturating_add(b), "{a} + {b}");
+            assert_eq!((p - q).bits(), a.saturating_sub(b), "{a} - {b}");
+            assert_eq!((-p).bits(), a.saturating_neg(), "-{a}");
+        }
+    }
+
+    #[test]
+    fn fractions_are_rounded_down_once() {
+        let numbers = [0, 1, -1, 12_345_678_901_234, -12_345_678_901_234, 1 << 61, -(1 << 61)];
+        for (n, d) in [(1, 3), (1, 65_536), (1, 1), (5, 7), (-5, 7), (639, 640), (1 << 20, 1_000_003), (2, 0)]
+        {
+            for bits in numbers {
+                let exact = (i128::from(bits) * i128::from(n)).div_euclid(i128::from(d.max(1)));
+                let fitting = exact.clamp(i64::MIN.into(), i64::MAX.into());
+                assert_eq!(i128::from(FixedWide::of(bits).scale(n, d).bits()), fitting, "{bits} * {n} / {d}");
+            }
+        }
+    }
+}
