@@ -59,12 +59,12 @@ macro_rules! float_scalar {
 
             /// Below the least normal number, and for what is not a number, the answer is 0.
             fn sqrt(wide: $float) -> Self {
-                if wide >= <$float>::MIN_POSITIVE {
-                    // An infinite argument would meet 0 * infinity below.
-                    if wide > <$float>::MAX {
-                        return wide;
-                    }
+                // As in `normalize`, one comparison of bits finds what has an ordinary root.
+                let (least, most) = (<$float>::MIN_POSITIVE.to_bits(), <$float>::MAX.to_bits());
+                if wide.to_bits().wrapping_sub(least) <= most - least {
                     wide * rsqrt(wide)
+                } else if wide > <$float>::MAX {
+                    wide
                 } else {
                     0.0
                 }

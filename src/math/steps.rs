@@ -1,5 +1,8 @@
 //! Products and sums in steps of 2^-20, narrowed once and saturating: the kernels under [`Fixed`](super::Fixed).
 //!
+//! A scalar product takes 103 instructions on an M0+ and 14 on an M3, a product 31 and 8. The figures here and in
+//! the other kernels are those of `examples/kernels`.
+//!
 //! A chip that puts long products together of halves calls them; inline they would make an image twice as long.
 
 use super::product::signed;

@@ -1,6 +1,7 @@
 //! [`FixedWide`]: products of fixed-point numbers, and their sums.
 
 use super::scalar::Wide;
+use super::zeros::leading_zeros;
 use core::hint::cold_path;
 use core::ops::{Add, Neg, Sub};
 use fixed::types::I24F40;
@@ -58,11 +59,51 @@ impl Neg for FixedWide {
 impl Wide for FixedWide {
     const ZERO: Self = Self::of(0);
 
+    /// Called, never inlined: 64-bit divisions and their operands were a third of an M0+'s image.
+    #[inline(never)]
     fn scale(self, numerator: i32, denominator: i32) -> Self {
+        if numerator == 1 && denominator > 0 && denominator & (denominator - 1) == 0 {
+            return Self::of(self.bits() >> (31 - leading_zeros(denominator as u32)));
+        }
         // Quotient and remainder apart: their product with the numerator is rounded down once.
-        let (bits, numerator, divisor) = (self.bits(), i64::from(numerator), i64::from(denominator.max(1)));
-        let whole = bits.div_euclid(divisor).saturating_mul(numerator);
-        let part = (bits.rem_euclid(divisor) * numerator).div_euclid(divisor);
+        let (bits, divisor) = (self.bits(), i64::from(denominator.max(1)));
+        let (quotient, remainder) = (bits.div_euclid(divisor), bits.rem_euclid(divisor));
+        let whole = quotient.saturating_mul(i64::from(numerator));
+        // Numbers as small as a panel's sides need no second division of 64 bits: 300 instructions less on an M0+.
+        let small = u32::try_from(numerator).ok().and_then(|n| (remainder as u32).checked_mul(n));
+        let part = match small {
+            Some(product) => i64::from(product / divisor as u32),
+            None => (remainder * i64::from(numerator)).div_euclid(divisor),
+        };
         Self::of(whole.saturating_add(part))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_and_differences_saturate_at_the_end_they_pass() {
+        let ends = [i64::MIN, i64::MIN + 1, -(1 << 62), -(1 << 32), -1, 0, 1, 1 << 32, 1 << 62, i64::MAX];
+        for (a, b) in ends.iter().flat_map(|a| ends.map(|b| (*a, b))) {
+            let (p, q) = (FixedWide::of(a), FixedWide::of(b));
+            assert_eq!((p + q).bits(), a.saturating_add(b), "{a} + {b}");
+            assert_eq!((p - q).bits(), a.saturating_sub(b), "{a} - {b}");
+            assert_eq!((-p).bits(), a.saturating_neg(), "-{a}");
+        }
+    }
+
+    #[test]
+    fn fractions_are_rounded_down_once() {
+        let numbers = [0, 1, -1, 12_345_678_901_234, -12_345_678_901_234, 1 << 61, -(1 << 61)];
+        for (n, d) in [(1, 3), (1, 65_536), (1, 1), (5, 7), (-5, 7), (639, 640), (1 << 20, 1_000_003), (2, 0)]
+        {
+            for bits in numbers {
+                let exact = (i128::from(bits) * i128::from(n)).div_euclid(i128::from(d.max(1)));
+                let fitting = exact.clamp(i64::MIN.into(), i64::MAX.into());
+                assert_eq!(i128::from(FixedWide::of(bits).scale(n, d).bits()), fitting, "{bits} * {n} / {d}");
+            }
+        }
     }
 }
