@@ -2,6 +2,7 @@
 
 mod frame;
 mod row;
+mod turn;
 
 pub use frame::{CameraError, Frame};
 pub use row::{Row, RowRay};
