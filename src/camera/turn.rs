@@ -4,8 +4,8 @@ use crate::math::{Scalar, Wide, tan_half};
 impl<S: Scalar> Camera<S> {
     /// Answers this camera carried around its center by `step` of the `steps` equal steps of a whole turn.
     ///
-    /// The eye goes about the axis `up` through `center`, to the right as seen in the picture; all else
-    /// stays. The answer depends on `step` modulo `steps` alone, and for 0 it is this very camera: a turn
+    /// The eye goes about the axis `up` through `center`, counter-clockwise as seen from the tip of `up`,
+    /// so to the camera's own right; all else stays. The answer depends on `step` modulo `steps` alone, and for 0 it is this very camera: a turn
     /// of `steps` pictures ends on the bits it began with, however often it goes round. 0 steps count as 1.
     ///
     /// With r for 1 + the distance between eye and center, the eye is where it should be within r * 5e-6
