@@ -6,7 +6,7 @@ use scanray::{
 };
 
 /// Is the scene that is turned.
-pub static VIEW: &View<Fixed> = &fixed::SIMPLE;
+pub static VIEW: &View<Fixed> = &fixed::THREE_SPHERES;
 
 /// Counts the pictures of a turn.
 pub const STEPS: u16 = 72;

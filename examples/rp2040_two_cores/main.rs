@@ -1,7 +1,7 @@
 //! Firmware: both cores of a Raspberry Pi Pico (RP2040) walk around a scene on an ST7789 panel.
 //!
 //! ```text
-//! cargo build --release --example rp2040_two_cores --target thumbv6m-none-eabi
+//! cargo run --release --example rp2040_two_cores --target thumbv6m-none-eabi
 //! ```
 //!
 //! The pictures and the wires are those of `rp2040_spin`; the cores trace rows in turn.
@@ -16,6 +16,6 @@ mod foreign;
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    println!("This is firmware. Build it with");
-    println!("  cargo build --release --example rp2040_two_cores --target thumbv6m-none-eabi");
+    println!("This is firmware. Start it on its emulated board with");
+    println!("  cargo run --release --example rp2040_two_cores --target thumbv6m-none-eabi");
 }

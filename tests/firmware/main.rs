@@ -48,7 +48,7 @@ fn a_turning_rp2040_shows_the_steps_that_the_host_computes() {
     let [first, second] = turning_pictures(&run);
     assert!(first != second, "the camera does not turn");
     assert_transfer_hides_behind_tracing(&run);
-    table::add(&run, "simple, 240x240, turning", "instructions");
+    table::add(&run, "three-spheres, 240x240, turning", "instructions");
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn two_cores_of_an_rp2040_show_what_the_host_computes_in_half_the_time() {
     let (tracing, frame) = (run.count("tracing"), run.count("frame"));
     assert!(frame < tracing + tracing / 20, "{frame} cycles, of which the first core traces {tracing}");
     assert!(run.count("second-stack") < 4096, "the second core's stack overflows");
-    table::add(&run, "simple, 240x240, turning, first core", "instructions");
+    table::add(&run, "three-spheres, 240x240, turning, first core", "instructions");
 }
 
 /// Answers the first two pictures of a turning board, which are the host's.

@@ -13,7 +13,7 @@ const PIN = { dataNotCommand: 16, select: 17, backlight: 20, reset: 21, lamp: 25
 /** The fastest write clock of the ST7789: a cycle takes 16 ns. */
 const PANEL_HZ = 62.5e6;
 
-/** Eight times the slowest frame so far (621 million): an image that needs more will never finish. */
+/** Five times the slowest frame so far (900 million): an image that needs more will never finish. */
 const MOST_INSTRUCTIONS = 5e9;
 
 export class Pico {
