@@ -39,6 +39,7 @@ fn the_st7789_on_an_rp2040_shows_what_the_host_computes() {
     assert_same(&run.picture("rp2040_st7789.rgb565"), host.as_flattened(), 2 * 240);
     assert_transfer_hides_behind_tracing(&run);
     table::add(&run, "simple, 240x240", "instructions");
+    table::print_times(&run);
 }
 
 #[test]
@@ -49,6 +50,7 @@ fn a_turning_rp2040_shows_the_steps_that_the_host_computes() {
     assert!(first != second, "the camera does not turn");
     assert_transfer_hides_behind_tracing(&run);
     table::add(&run, "three-spheres, 240x240, turning", "instructions");
+    table::print_times(&run);
 }
 
 #[test]
@@ -61,6 +63,7 @@ fn two_cores_of_an_rp2040_show_what_the_host_computes_in_half_the_time() {
     assert!(frame < tracing + tracing / 20, "{frame} cycles, of which the first core traces {tracing}");
     assert!(run.count("second-stack") < 4096, "the second core's stack overflows");
     table::add(&run, "three-spheres, 240x240, turning, first core", "instructions");
+    table::print_times(&run);
 }
 
 /// Answers the first two pictures of a turning board, which are the host's.
