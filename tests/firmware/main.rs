@@ -61,7 +61,6 @@ fn two_cores_of_an_rp2040_show_what_the_host_computes_in_half_the_time() {
     // The lamp shows what the first core does: half of the rows. The rest of the frame is waiting.
     let (tracing, frame) = (run.count("tracing"), run.count("frame"));
     assert!(frame < tracing + tracing / 20, "{frame} cycles, of which the first core traces {tracing}");
-    assert!(run.count("second-stack") < 4096, "the second core's stack overflows");
     table::add(&run, "three-spheres, 240x240, turning, first core", "instructions");
     table::print_times(&run);
 }

@@ -16,8 +16,8 @@ use self::{
     two_cores::{BUFFERS, Mailboxes, Second},
 };
 
-/// Holds the second core's stack of 1024 words: a third more than tracing takes on the first.
-static STACK: Stack<1024> = Stack::new();
+/// Holds the second core's stack of 2048 words; a guard below it turns an overflow into a fault.
+static STACK: Stack<2048> = Stack::new();
 
 #[rp2040_hal::entry]
 fn main() -> ! {

@@ -1,8 +1,8 @@
 // The RP2040's second core, which rp2040js leaves out: another processor of its kind on the same memory and parts.
 //
 // What belongs to each core alone is switched with it: its number, its end of the queues between the cores (SIO FIFO)
-// and its memory protection, which is noted but does not protect. Both cores get every memory access they ask for at
-// once; on the chip they may have to wait for each other.
+// and its memory protection, of which the second core's stack guard is watched. Both cores get every memory access they
+// ask for at once; on the chip they may have to wait for each other.
 
 const CPUID = 0x000;
 const FIFO_ST = 0x050;
@@ -15,7 +15,8 @@ const PSM_FRCE_OFF = 0x04;
 const PROC1 = 1 << 16;
 
 const MPU_TYPE = 0xd90;
-const MPU_LAST = 0xda0;
+const MPU_RBAR = 0xd9c;
+const MPU_RASR = 0xda0;
 
 /** What the first core sends to the boot ROM of the second: these, then vectors, stack and entry point. */
 const GREETING = [0, 0, 1];
@@ -40,6 +41,7 @@ export class SecondCore {
     this.running = false;
     this.heard = [];
     this.owed = 0;
+    this.guardEnd = 0;
   }
 
   get active() {
@@ -87,12 +89,20 @@ export class SecondCore {
 
   shareProtection(ppb) {
     const [read, write] = [ppb.readUint32.bind(ppb), ppb.writeUint32.bind(ppb)];
-    const isMine = (offset) => offset >= MPU_TYPE && offset <= MPU_LAST;
+    const isMine = (offset) => offset >= MPU_TYPE && offset <= MPU_RASR;
     ppb.readUint32 = (offset) => (isMine(offset) ? this.protection[this.active].get(offset) ?? 0 : read(offset));
     ppb.writeUint32 = (offset, value) => {
-      if (isMine(offset)) this.protection[this.active].set(offset, value);
-      else write(offset, value);
+      if (!isMine(offset)) return write(offset, value);
+      this.protection[this.active].set(offset, value);
+      if (offset === MPU_RASR && this.active === 1) this.guard(value);
     };
+  }
+
+  /** Watches the one eighth of a region of 256 bytes, below the stack, that the attributes leave on. */
+  guard(attributes) {
+    const base = this.protection[1].get(MPU_RBAR) & ~0xff;
+    const eighth = [0, 1, 2, 3, 4, 5, 6, 7].find((i) => !(attributes & (0x100 << i)));
+    if (eighth !== undefined) this.guardEnd = (base >>> 0) + 32 * (eighth + 1);
   }
 
   obeyPower(psm) {
@@ -116,7 +126,7 @@ export class SecondCore {
     return this.running ? this.stackTop - this.deepest : undefined;
   }
 
-  /** Runs for so many cycles; returns the address of an instruction that leads nowhere, if there is one. */
+  /** Runs for so many cycles; returns the address of an instruction that leads nowhere, if there is one, or off the stack. */
   follow(cycles) {
     const { chip, core } = this;
     this.owed += cycles;
@@ -126,7 +136,7 @@ export class SecondCore {
       const pc = core.PC;
       this.owed -= core.executeInstruction();
       if (core.SP < this.deepest) this.deepest = core.SP;
-      if (core.PC === pc) stuck = pc;
+      if (core.PC === pc || core.SP < this.guardEnd) stuck = pc;
     }
     if (core.waiting) this.owed = 0;
     chip.core = this.first;
