@@ -4,16 +4,7 @@
 //! cargo run --release --example rp2040_st7789 --target thumbv6m-none-eabi
 //! ```
 //!
-//! | Pico | panel |
-//! |---|---|
-//! | GPIO 16 | D/C |
-//! | GPIO 17 | CS |
-//! | GPIO 18 | SCL (SPI clock) |
-//! | GPIO 19 | SDA (SPI data) |
-//! | GPIO 20 | backlight |
-//! | GPIO 21 | reset |
-//!
-//! The Pico's own LED (GPIO 25) is lit while the core renders and dark while pixels travel to the panel.
+//! A row travels to the panel by DMA while the next is traced. The wires are those of `examples/boards/pico`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(all(target_os = "none", target_arch = "arm", not(target_has_atomic = "32")))]

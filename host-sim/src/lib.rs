@@ -12,3 +12,4 @@ pub mod scenes;
 pub mod shot;
 pub mod show;
 pub mod terminal;
+pub mod turn;

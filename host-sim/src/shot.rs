@@ -5,6 +5,7 @@ use crate::panel::Panel;
 use crate::picture::{self, Film};
 use crate::reference::Unknown;
 use crate::scenes::{Entry, HostNumber, camera_in};
+use crate::turn::Turn;
 use scanray::gallery::View;
 use scanray::trace::RayCounts;
 use scanray::{Camera, Fixed, RenderError, Transfer};
@@ -44,8 +45,10 @@ impl Number {
 pub struct Shot {
     /// What there is to see.
     pub scene: Entry,
-    /// Where it is seen from.
+    /// Where it is seen from, before the turn.
     pub camera: Camera<f64>,
+    /// How far the camera is carried around.
+    pub turn: Turn,
     /// Who traces it.
     pub number: Number,
     /// Columns and rows.
@@ -85,6 +88,7 @@ impl Shot {
         Self {
             scene,
             camera: view.camera,
+            turn: Turn::NONE,
             number: Number::F32,
             size: view.size,
             panel: Panel::Rgb565,
@@ -127,7 +131,7 @@ impl Shot {
     /// Answers the gallery's view with what this shot changes of it.
     fn view<S: HostNumber>(&self) -> View<S> {
         let mut view = *S::view(&self.scene);
-        view.camera = camera_in(&self.camera);
+        view.camera = self.turn.carry(&camera_in(&self.camera));
         view.settings = view.settings.with_depth(self.depth).with_transfer(self.transfer);
         view
     }

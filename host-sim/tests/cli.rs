@@ -3,7 +3,7 @@
 use host_sim::panel::Panel;
 use host_sim::picture;
 use scanray::Dither;
-use scanray::gallery::{Gallery, float};
+use scanray::gallery::{Gallery, fixed, float};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -105,6 +105,21 @@ fn number_panel_depth_and_transfer_each_change_the_picture() {
 }
 
 #[test]
+fn a_step_carries_the_camera_around_and_the_last_is_the_first() {
+    let desk = Desk::new("step");
+    let [first, second, last] = ["0/7", "1/7", "7/7"].map(|step| {
+        let output = desk.run(&format!("render simple --number fixed --size 48x32 --step {step} -o x.png"));
+        assert!(output.status.success(), "{step}: {output:?}");
+        read(&desk.0.join("x.png")).0
+    });
+    assert!(first == last && first != second);
+    let mut view = fixed::SIMPLE;
+    view.camera = view.camera.turned(1, 7);
+    let film = picture::trace(&view, view.settings, [48, 32], |_| ()).unwrap();
+    assert!(film.on_panel(Panel::Rgb565, view.settings.transfer, Dither::Ordered) == second);
+}
+
+#[test]
 fn an_alias_may_hand_on_a_second_separator() {
     let desk = Desk::new("separator");
     let output = desk.run("-- render simple --size 8x8");
@@ -160,6 +175,7 @@ fn wrong_words_are_refused_with_a_way_out() {
     assert_refused(&desk, "render --size 0x5", &["320x240"]);
     assert_refused(&desk, "render --size 99999x5", &["4096", "320x240"]);
     assert_refused(&desk, "render --depth 33", &["from 0 to 32"]);
+    assert_refused(&desk, "render --step 3", &["3/72"]);
     assert_refused(&desk, "render --panel rgb555", &["rgb565"]);
     assert_refused(&desk, "compare", &["no scene to compare", "--all"]);
     assert_refused(&desk, "compare simple --number oracle", &["f32, fixed and exact"]);

@@ -2,6 +2,7 @@
 //!
 //! Needs `Xvfb`, `xdotool` and `xwd` (Debian: xvfb, xdotool, x11-apps).
 
+use host_sim::panel::Panel;
 use host_sim::scenes;
 use host_sim::shot::{Picture, Shot};
 use host_sim::show::state::{Action, State};
@@ -72,16 +73,18 @@ impl Stage {
 
     /// Waits until the window in the middle of the screen shows a picture, twice as large.
     fn expect(&self, what: &str, picture: &Picture) {
-        let expected = picture.resized(picture.size.map(|side| 2 * side));
-        let [left, top] = [(800 - expected.size[0]) / 2, (600 - expected.size[1]) / 2];
-        self.wait_for(what, |stage| {
-            let screen = screenshot(&stage.tool("xwd", "-root -silent"));
-            let shown = expected.pixels.chunks(expected.size[0] as usize).zip(top..).all(|(row, y)| {
-                let start = (y * 800 + left) as usize;
-                screen.get(start..start + row.len()) == Some(row)
-            });
-            shown.then_some(())
-        });
+        self.wait_for(what, |stage| stage.shown(picture.size).filter(|shown| shown == picture));
+    }
+
+    /// Answers the picture of this size that the window in the middle of the screen shows twice as large.
+    fn shown(&self, size: [u32; 2]) -> Option<Picture> {
+        let screen = screenshot(&self.tool("xwd", "-root -silent"));
+        let [width, height] = size.map(|side| 2 * side);
+        let [left, top] = [(800 - width) / 2, (600 - height) / 2];
+        let row = |y: u32| screen[(y * 800 + left) as usize..][..width as usize].iter().copied();
+        let large = Picture { size: [width, height], pixels: (top..top + height).flat_map(row).collect() };
+        let small = large.resized(size);
+        (small.resized(large.size) == large).then_some(small)
     }
 }
 
@@ -146,6 +149,34 @@ fn dragging_and_the_wheel_move_the_picture() {
     stage.xdotool("mousedown 1 sleep 0.3 mousemove 440 300 sleep 0.3 mouseup 1");
     state.apply(keys::drag([20.0, 0.0], 240).unwrap());
     stage.expect("a drag by twenty pixels of the picture", &picture_of(&state));
+}
+
+#[test]
+#[ignore = "needs Xvfb; run by .ci/run"]
+fn a_spinning_window_stops_on_a_step_of_its_turn() {
+    let arguments =
+        ["show", "simple", "--size", "192x128", "--panel", "rgb888", "--spin", "--frames", "3600"];
+    let stage = Stage::set(&arguments);
+    stage.focus();
+    let scene = scenes::find("simple").unwrap();
+    let mut state = State::new(Shot { size: [192, 128], panel: Panel::Rgb888, ..Shot::new(scene) });
+    state.apply(Action::Spin);
+    let size = state.shot().size;
+    let turn: Vec<Picture> = (0..240)
+        .map(|_| {
+            state.advance();
+            picture_of(&state)
+        })
+        .collect();
+    let step = |stage: &Stage| stage.shown(size).filter(|shown| turn.contains(shown));
+    let begin = stage.wait_for("a step of the turn", step);
+    stage.wait_for("another step", |stage| step(stage).filter(|shown| *shown != begin));
+    stage.xdotool("key space");
+    stage.wait_for("rest on a step", |stage| {
+        let before = step(stage);
+        std::thread::sleep(Duration::from_millis(300));
+        before.filter(|before| stage.shown(size).as_ref() == Some(before))
+    });
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod fan;
 mod frame;
 mod row;
 mod section;
+mod turn;
 
 pub use fan::Fan;
 pub use frame::{CameraError, Frame};

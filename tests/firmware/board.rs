@@ -25,10 +25,16 @@ pub struct Run {
 impl Run {
     /// Builds and runs the board's example with the command a user would give.
     pub fn of(board: &'static Board) -> Self {
+        Self::of_frames(board, 1)
+    }
+
+    /// Builds and runs the board's example until it has drawn so many pictures.
+    pub fn of_frames(board: &'static Board, frames: usize) -> Self {
         let folder = scratch(board.example);
         let _ = fs::remove_dir_all(&folder);
-        let output = cargo("run", board).env("SCANRAY_BOARD_OUT", &folder).output();
-        let output = output.expect("cargo does not start");
+        let mut run = cargo("run", board);
+        run.env("SCANRAY_BOARD_OUT", &folder).env("SCANRAY_BOARD_FRAMES", frames.to_string());
+        let output = run.output().expect("cargo does not start");
         assert!(output.status.success(), "{} failed:\n{}", board.example, said(&output));
         let report = read(&folder.join("report.txt"));
         let report = String::from_utf8(report).expect("the report is no text");
@@ -39,6 +45,12 @@ impl Run {
     /// A value of the report.
     pub fn value(&self, key: &str) -> Option<&str> {
         self.report.get(key).map(String::as_str)
+    }
+
+    /// A count of the report.
+    pub fn count(&self, key: &str) -> u64 {
+        let value = self.value(key).and_then(|value| value.parse().ok());
+        value.unwrap_or_else(|| panic!("{} reports no count '{key}'", self.board.example))
     }
 
     /// The raw picture that the run left under `name`.

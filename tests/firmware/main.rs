@@ -4,15 +4,30 @@
 //! images cost goes to standard output and, as a table, to `target/boards.md`.
 
 mod board;
+mod dealing;
+#[path = "../../examples/boards/one_core.rs"]
+mod one_core;
 mod table;
+#[path = "../../examples/boards/turntable.rs"]
+mod turntable;
+#[path = "../../examples/boards/two_cores.rs"]
+mod two_cores;
+#[path = "../../examples/boards/wire.rs"]
+mod wire;
 
 use std::fmt::Debug;
 
 use board::{Board, Run};
 use embedded_graphics::{geometry::Size, pixelcolor::Gray4, prelude::*};
-use scanray::{Fixed, Renderer, Workspace, gallery::Gallery, output::Encode};
+use scanray::{
+    Fixed, Renderer, Scalar, Workspace,
+    gallery::{Gallery, View},
+    output::Encode,
+};
 
 const RP2040: Board = Board { example: "rp2040_st7789", target: "thumbv6m-none-eabi" };
+const SPIN: Board = Board { example: "rp2040_spin", target: "thumbv6m-none-eabi" };
+const TWO_CORES: Board = Board { example: "rp2040_two_cores", target: "thumbv6m-none-eabi" };
 const LM3S6965: Board = Board { example: "lm3s6965_oled", target: "thumbv7m-none-eabi" };
 const MPS2: Board = Board { example: "mps2_bench", target: "thumbv7em-none-eabihf" };
 
@@ -22,7 +37,55 @@ fn the_st7789_on_an_rp2040_shows_what_the_host_computes() {
     let run = Run::of(&RP2040);
     let host = picture::<Fixed, [u8; 2]>("simple", 240, 240);
     assert_same(&run.picture("rp2040_st7789.rgb565"), host.as_flattened(), 2 * 240);
+    assert_transfer_hides_behind_tracing(&run);
     table::add(&run, "simple, 240x240", "instructions");
+    table::print_times(&run);
+}
+
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn a_turning_rp2040_shows_the_steps_that_the_host_computes() {
+    let run = Run::of_frames(&SPIN, 2);
+    let [first, second] = turning_pictures(&run);
+    assert!(first != second, "the camera does not turn");
+    assert_transfer_hides_behind_tracing(&run);
+    table::add(&run, "three-spheres, 240x240, turning", "instructions");
+    table::print_times(&run);
+}
+
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn two_cores_of_an_rp2040_show_what_the_host_computes_in_half_the_time() {
+    let run = Run::of_frames(&TWO_CORES, 2);
+    turning_pictures(&run);
+    // The lamp shows what the first core does: half of the rows. The rest of the frame is waiting.
+    let (tracing, frame) = (run.count("tracing"), run.count("frame"));
+    assert!(frame < tracing + tracing / 20, "{frame} cycles, of which the first core traces {tracing}");
+    table::add(&run, "three-spheres, 240x240, turning, first core", "instructions");
+    table::print_times(&run);
+}
+
+/// Answers the first two pictures of a turning board, which are the host's.
+fn turning_pictures(run: &Run) -> [Vec<u8>; 2] {
+    let mut cameras = turntable::cameras();
+    [0, 1].map(|step| {
+        let view = View { camera: cameras.next().expect("it turns for good"), ..*turntable::VIEW };
+        let host = picture_of::<Fixed, [u8; 2]>(&view, 240, 240);
+        let shown = run.picture(&format!("{}-{step}.rgb565", run.board.example));
+        assert_same(&shown, host.as_flattened(), 2 * 240);
+        shown
+    })
+}
+
+/// Asserts that a frame takes longer than either of its parts, but hardly longer than the longer one.
+fn assert_transfer_hides_behind_tracing(run: &Run) {
+    let [tracing, transfer, frame] = ["tracing", "transfer", "frame"].map(|key| run.count(key));
+    let times = format!("tracing {tracing}, transfer {transfer}, side by side {frame} cycles");
+    // Two bytes a pixel at half the core's clock are 32 cycles; the commands between frames are a few more.
+    let pixels = 32 * 240 * 240;
+    assert!((pixels..pixels + 1000).contains(&transfer), "{times}");
+    let longer = tracing.max(transfer);
+    assert!((longer..longer + tracing.min(transfer) / 10).contains(&frame), "{times}");
 }
 
 #[test]
@@ -73,6 +136,11 @@ fn one_wrong_byte_is_found() {
 /// The picture of a gallery scene, as the core renders it here.
 fn picture<S: Gallery, C: Encode>(scene: &str, width: u32, height: u32) -> Vec<C> {
     let view = S::find(scene).unwrap_or_else(|| panic!("the gallery has no scene '{scene}'"));
+    picture_of(view, width, height)
+}
+
+/// The picture of a view, as the core renders it here.
+fn picture_of<S: Scalar, C: Encode>(view: &View<S>, width: u32, height: u32) -> Vec<C> {
     let mut space = Workspace::<S, C, 0, 5>::new();
     let size = Size::new(width, height);
     let mut renderer =

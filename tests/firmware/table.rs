@@ -35,6 +35,13 @@ pub fn add(run: &Run, picture: &str, instructions: &str) {
         .expect("no room for the table");
 }
 
+/// Prints the cycles of a frame: each part alone, both one after the other, and as they were, side by side.
+pub fn print_times(run: &Run) {
+    let [tracing, transfer, frame] = ["tracing", "transfer", "frame"].map(|key| run.count(key));
+    println!("| image | tracing | transfer | one after the other | side by side |\n|---|--:|--:|--:|--:|");
+    println!("| {} | {tracing} | {transfer} | {} | {frame} |", run.board.example, tracing + transfer);
+}
+
 fn per_pixel(run: &Run, count: &str) -> String {
     let number = |key| run.value(key).and_then(|value| value.parse::<f64>().ok());
     match (number(count), number("pixels")) {

@@ -3,6 +3,7 @@ use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::scenes;
 use crate::shot::{Number, Shot};
+use crate::turn::Turn;
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scanray::Transfer;
@@ -62,11 +63,15 @@ pub(super) struct RenderArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     scanray show\n  \
-    scanray show orthographic --panel gray4\n\n\
+    scanray show orthographic --panel gray4\n  \
+    scanray show simple --spin\n\n\
     Drag or arrow keys orbit, the wheel or + and - zoom, H names all other keys, Esc closes.")]
 pub(super) struct ShowArgs {
     #[command(flatten)]
     pub look: Look,
+    /// Let the camera walk around by itself
+    #[arg(long)]
+    pub spin: bool,
     /// Close the window by itself after this many frames
     #[arg(long, hide = true, value_name = "N")]
     pub frames: Option<u64>,
@@ -124,6 +129,9 @@ pub(super) struct Look {
     /// How light becomes levels [default: the scene's]
     #[arg(long, value_enum)]
     pub transfer: Option<Curve>,
+    /// Step K of N of a turn around the point that the camera looks at
+    #[arg(long, value_name = "K/N")]
+    pub step: Option<Turn>,
 }
 
 impl Look {
@@ -134,6 +142,7 @@ impl Look {
         shot.panel = self.panel;
         shot.size = self.size.unwrap_or(shot.size);
         shot.depth = self.depth.unwrap_or(shot.depth);
+        shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
         Ok(shot)
     }

@@ -25,7 +25,7 @@ pub(super) fn run(args: &RenderArgs, out: &mut impl Write) -> Result<(), Error> 
     if windowed {
         report::line(out, "window", "Esc closes it, H names its keys")?;
         out.flush()?;
-        match show::run(shot, None) {
+        match show::run(shot, false, None) {
             Ok(saved) => say_saved(out, &saved)?,
             // The picture is made and written; that the display refuses a window changes nothing.
             Err(refusal) => {
@@ -43,7 +43,7 @@ pub(super) fn show(args: &ShowArgs, out: &mut impl Write) -> Result<(), Error> {
     if !show::has_display() {
         return Err(Error::NoDisplay);
     }
-    say_saved(out, &show::run(shot, args.frames)?)
+    say_saved(out, &show::run(shot, args.spin, args.frames)?)
 }
 
 fn say_saved(out: &mut impl Write, saved: &[PathBuf]) -> Result<(), Error> {

@@ -10,9 +10,10 @@ pub const STEP: f64 = std::f64::consts::TAU / 48.0;
 pub const ZOOM: f64 = 1.1;
 
 /// Names the keys, as the help shows them.
-pub const HELP: [[&str; 2]; 11] = [
+pub const HELP: [[&str; 2]; 12] = [
     ["drag, arrows", "orbit"],
     ["wheel, + -", "zoom"],
+    ["space", "spin, stop"],
     ["N", "number"],
     ["P", "panel"],
     ["D, Shift-D", "deeper, less"],
@@ -80,6 +81,7 @@ fn by_letter(letter: char) -> Option<Action> {
     match letter {
         '+' | '=' => Some(Action::Zoom(ZOOM)),
         '-' => Some(Action::Zoom(1.0 / ZOOM)),
+        ' ' => Some(Action::Spin),
         'n' | 'N' => Some(Action::NextNumber),
         'p' | 'P' => Some(Action::NextPanel),
         'd' => Some(Action::DeeperBy(1)),

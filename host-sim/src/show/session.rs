@@ -49,8 +49,12 @@ impl Session {
 
     /// Brings the picture up to date and answers it with what is written over it.
     ///
-    /// A state that has just changed may be drawn coarsely; the next call makes up for that.
+    /// A state that has just changed may be drawn coarsely; the next call makes up for that, or shows
+    /// the next step of a spinning camera.
     pub fn frame(&mut self) -> Picture {
+        if !self.stale {
+            self.stale = self.state.advance();
+        }
         if self.stale {
             let step = self.step();
             self.trace(step);
@@ -165,6 +169,20 @@ mod tests {
         assert_eq!(moving.size, resting.size);
         assert_ne!(moving, resting);
         assert_eq!(resting, session.state.shot().take(|_| ()).unwrap().picture);
+    }
+
+    #[test]
+    fn a_spinning_camera_shows_every_step_from_the_first() {
+        let mut session = session();
+        session.act(Action::Spin);
+        let turn = session.state.shot().turn;
+        for expected in [turn, turn.next(), turn.next().next()] {
+            // However long a picture takes here, it is to be drawn sharply.
+            session.per_pixel = Duration::ZERO;
+            let shown = session.frame();
+            assert_eq!(session.state.shot().turn, expected);
+            assert_eq!(shown, session.state.shot().take(|_| ()).unwrap().picture);
+        }
     }
 
     #[test]

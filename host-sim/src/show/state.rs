@@ -4,7 +4,11 @@ use super::orbit::{orbit, pivot, zoom};
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::shot::{Number, Shot};
+use crate::turn::Turn;
 use scanray::{Transfer, Vec3};
+
+/// Counts the steps of a turn: four seconds at sixty pictures a second.
+const STEPS: u16 = 240;
 
 /// Names what a user can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +17,8 @@ pub enum Action {
     Orbit(f64, f64),
     /// Make things look larger by a factor.
     Zoom(f64),
+    /// Let the camera walk around by itself, or stop it.
+    Spin,
     /// Take the next number.
     NextNumber,
     /// Take the next panel.
@@ -54,6 +60,7 @@ pub struct State {
     home: Shot,
     pivot: Vec3<f64>,
     shot: Shot,
+    spins: bool,
     help: bool,
 }
 
@@ -66,7 +73,7 @@ fn next<T: Copy + PartialEq>(all: &[T], current: T) -> T {
 impl State {
     /// Makes the state a window opens with.
     pub fn new(shot: Shot) -> Self {
-        Self { home: shot, pivot: pivot(shot.scene.double), shot, help: false }
+        Self { home: shot, pivot: pivot(shot.scene.double), shot, spins: false, help: false }
     }
 
     /// Answers the shot to show.
@@ -77,6 +84,14 @@ impl State {
     /// Answers whether the keys are shown.
     pub fn shows_help(&self) -> bool {
         self.help
+    }
+
+    /// Takes the next step of a spinning camera; answers whether there was one to take.
+    pub fn advance(&mut self) -> bool {
+        if self.spins {
+            self.shot.turn = self.shot.turn.next();
+        }
+        self.spins
     }
 
     /// Does what the user asks for and answers what that takes.
@@ -105,14 +120,29 @@ impl State {
             Action::NextTransfer => {
                 shot.transfer = next(&[Transfer::Srgb, Transfer::Linear], shot.transfer);
             }
-            Action::Reset => *shot = self.home,
+            Action::Spin => self.spin(),
+            Action::Reset => {
+                *shot = self.home;
+                self.spins = false;
+            }
             Action::Save | Action::Help | Action::Quit => {}
         }
         if before == (self.shot.camera, self.settings()) { Effect::Nothing } else { Effect::Trace }
     }
 
-    fn settings(&self) -> (Number, Panel, u8, Transfer) {
-        (self.shot.number, self.shot.panel, self.shot.depth, self.shot.transfer)
+    /// Begins to walk around, or stops: a shot that is part of a turn goes on with that, any other turns
+    /// around what there is to see.
+    fn spin(&mut self) {
+        self.spins = !self.spins;
+        if self.shot.turn == Turn::NONE {
+            self.shot.turn = Turn::of(STEPS);
+            self.shot.camera.center = self.pivot;
+        }
+    }
+
+    fn settings(&self) -> (Number, Panel, u8, Transfer, Turn) {
+        let Shot { number, panel, depth, transfer, turn, .. } = self.shot;
+        (number, panel, depth, transfer, turn)
     }
 }
 
@@ -170,6 +200,7 @@ mod tests {
             Action::NextPanel,
             Action::Depth(2),
             Action::NextTransfer,
+            Action::Spin,
             Action::Help,
         ];
         for action in actions {
@@ -183,12 +214,54 @@ mod tests {
     }
 
     #[test]
+    fn a_spinning_camera_comes_round_to_the_bit_and_stops_where_it_is() {
+        let mut state = state("simple");
+        assert!(!state.advance());
+        assert_eq!(state.apply(Action::Spin), Effect::Trace);
+        let turn = |state: &mut State| {
+            let cameras = (0..STEPS).map(|_| {
+                state.advance();
+                state.shot.turn.carry(&state.shot.camera)
+            });
+            cameras.collect::<Vec<_>>()
+        };
+        let first = turn(&mut state);
+        assert_eq!(first, turn(&mut state));
+        assert!((1..first.len()).all(|i| first[i] != first[i - 1]));
+        assert_eq!(state.apply(Action::Spin), Effect::Nothing);
+        assert!(!state.advance());
+        assert_eq!(Some(&state.shot.turn.carry(&state.shot.camera)), first.last());
+    }
+
+    #[test]
+    fn a_shot_that_is_part_of_a_turn_spins_on_with_its_steps() {
+        let shot = Shot { turn: "2/3".parse().unwrap(), ..Shot::new(scenes::find("tinyraytracer").unwrap()) };
+        let mut state = State::new(shot);
+        state.apply(Action::Spin);
+        state.advance();
+        assert_eq!((state.shot.turn, state.shot.camera), (Turn::of(3), shot.camera));
+    }
+
+    #[test]
+    fn reset_stops_a_spinning_camera() {
+        let mut state = state("simple");
+        state.apply(Action::Spin);
+        state.advance();
+        assert_eq!(state.apply(Action::Reset), Effect::Trace);
+        assert!(!state.advance());
+    }
+
+    #[test]
     fn every_scene_can_be_walked_around_in_every_number() {
         for entry in scenes::all() {
             let mut state = State::new(Shot { size: [16, 12], ..Shot::new(entry) });
             for step in 0..12 {
                 state.apply(Action::Orbit(0.6, if step < 6 { 0.4 } else { -0.5 }));
                 state.apply(Action::NextNumber);
+                if step == 3 {
+                    state.apply(Action::Spin);
+                }
+                state.advance();
                 let taken = state.shot().take(|_| ());
                 assert!(taken.is_ok(), "{}: {:?} {:?}", entry.name(), taken.err(), state.shot().camera);
             }

@@ -14,13 +14,16 @@ pub fn has_display() -> bool {
     cfg!(any(windows, target_os = "macos")) || std::env::var_os("DISPLAY").is_some_and(|d| !d.is_empty())
 }
 
-/// Opens a window and stays until it is closed, or for so many frames; answers the files the user
-/// saved.
+/// Opens a window, with a camera that walks around by itself if it is to spin, and stays until it is
+/// closed, or for so many frames; answers the files the user saved.
 ///
 /// # Errors
 /// Why the display refuses the window.
-pub fn run(shot: Shot, frames: Option<u64>) -> Result<Vec<PathBuf>, minifb::Error> {
+pub fn run(shot: Shot, spin: bool, frames: Option<u64>) -> Result<Vec<PathBuf>, minifb::Error> {
     let mut session = Session::new(shot);
+    if spin {
+        session.act(Action::Spin);
+    }
     let [columns, rows] = shot.size.map(|side| side as usize);
     let options = WindowOptions { scale: scale(shot.size), ..WindowOptions::default() };
     let mut window = Window::new(&session.title(), columns, rows, options)?;
