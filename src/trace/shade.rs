@@ -71,8 +71,10 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
             interval: Interval::new(S::ZERO, distance),
             from: site.from,
         };
-        let Some(vicinities) = &mut self.vicinities else { return query().is_blocked(self.scene) };
-        let vicinity = vicinities.of(self.scene, number, site.level, (point, site.distance));
+        let (Some(vicinities), 0) = (&mut self.vicinities, site.level) else {
+            return query().is_blocked(self.scene);
+        };
+        let vicinity = vicinities.of(self.scene, number, point, site.distance);
         !vicinity.is_open(site.from) && query().is_blocked_near(self.scene, vicinity)
     }
 }

@@ -16,10 +16,13 @@ use crate::shape::Intersect;
 /// Is how many objects are noted one by one: those that follow may always block.
 pub(super) const NOTED: usize = u32::BITS as usize;
 
-/// Is how many cubes are remembered: those of four lights for points seen directly and in mirrors.
-const PLACES: usize = 8;
+/// Is how many cubes are remembered, one a light.
+const PLACES: usize = 4;
 
-/// Remembers a cube for each light and level of reflection.
+/// Remembers a cube for each light.
+///
+/// It serves points seen directly. In a curved mirror neighbouring pixels see points far apart, and
+/// a cube that is left at once costs more than it saves: 4 % of a picture of balls.
 #[derive(Clone, Debug)]
 pub struct Vicinities<S: Scalar> {
     places: [Vicinity<S>; PLACES],
@@ -28,8 +31,8 @@ pub struct Vicinities<S: Scalar> {
 /// Is a cube with what may stand between it and one light.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vicinity<S: Scalar> {
-    /// The light, and the level of reflection, that this was found for.
-    owner: u32,
+    /// The light that this was found for.
+    owner: u16,
     center: Vec3<S>,
     /// Half the side of the cube; below 0 for none.
     reach: S,
@@ -68,7 +71,7 @@ impl<S: Scalar> Vicinity<S> {
     fn move_to<X: Intersect<S>>(&mut self, scene: &Scene<'_, S, X>, owner: u32, point: Vec3<S>, distance: S) {
         // 1/16 of the distance is some 20 pixels of a picture of 320 columns.
         let reach = distance * S::HALF * S::HALF * S::HALF * S::HALF;
-        let Some(light) = scene.lights.get(usize::from(owner as u16)) else { return };
+        let Some(light) = scene.lights.get(usize::from(owner)) else { return };
         let blockers = Beam::new(point, reach, light).blockers(scene);
         let all_noted = scene.objects.len() <= NOTED;
         *self = Self { owner, center: point, reach, all_noted, blockers, last: self.last };
@@ -86,7 +89,7 @@ impl<S: Scalar> Vicinities<S> {
         *self = Self::new();
     }
 
-    /// Answers the vicinity of a point for a light, named by its number, and a level of reflection.
+    /// Answers the vicinity of a point for a light, named by its number.
     ///
     /// Where it is not the one remembered, a new cube is laid around the point, the larger the
     /// farther the viewer is.
@@ -94,12 +97,11 @@ impl<S: Scalar> Vicinities<S> {
     pub(super) fn of<X: Intersect<S>>(
         &mut self,
         scene: &Scene<'_, S, X>,
-        light: u16,
-        level: u8,
-        (point, distance): (Vec3<S>, S),
+        owner: u16,
+        point: Vec3<S>,
+        distance: S,
     ) -> &mut Vicinity<S> {
-        let owner = u32::from(light) + (u32::from(level) << 16);
-        let vicinity = &mut self.places[(usize::from(light) + 4 * usize::from(level)) % PLACES];
+        let vicinity = &mut self.places[usize::from(owner) % PLACES];
         if vicinity.owner != owner || !vicinity.contains(point) {
             vicinity.move_to(scene, owner, point, distance);
         }
