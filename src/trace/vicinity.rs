@@ -68,7 +68,7 @@ impl<S: Scalar> Vicinity<S> {
     /// Lays the cube around a point. Rare, and kept out of the pixel's path.
     #[cold]
     #[inline(never)]
-    fn move_to<X: Intersect<S>>(&mut self, scene: &Scene<'_, S, X>, owner: u32, point: Vec3<S>, distance: S) {
+    fn move_to<X: Intersect<S>>(&mut self, scene: &Scene<'_, S, X>, owner: u16, point: Vec3<S>, distance: S) {
         // 1/16 of the distance is some 20 pixels of a picture of 320 columns.
         let reach = distance * S::HALF * S::HALF * S::HALF * S::HALF;
         let Some(light) = scene.lights.get(usize::from(owner)) else { return };
