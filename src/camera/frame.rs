@@ -44,6 +44,8 @@ pub struct Frame<S: Scalar> {
     pub(super) near: S,
     pub(super) far: S,
     pub(super) parallel: bool,
+    /// Whether near or far hide anything.
+    pub(super) clipped: bool,
     pub(super) size: [i32; 2],
     /// The upper left corner of the window from the eye, and its sides to the right and downward.
     pub(super) corner: WideVec3<S>,
@@ -141,6 +143,7 @@ impl<S: Scalar> Camera<S> {
             near: self.near,
             far: self.far,
             parallel,
+            clipped: self.near > S::ZERO || self.far < S::FAR,
             size: [columns, rows],
             corner: depth + xe.mul_wide(left) + ye.mul_wide(top),
             right: xe.mul_wide(right - left),

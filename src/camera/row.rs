@@ -56,7 +56,8 @@ impl<'f, S: Scalar> Row<'f, S> {
         }
         // The window stands at depth 1: the length of the offset turns depths into distances.
         let (direction, length) = offset.normalize().unwrap_or((frame.forward, S::ONE));
-        let interval = Interval::new(near * length, far * length);
+        let interval =
+            if frame.clipped { Interval::new(near * length, far * length) } else { Interval::AHEAD };
         RowRay { ray: Ray::new(frame.eye, direction), interval }
     }
 }

@@ -47,7 +47,7 @@ impl<S: Scalar> Cuboid<S> {
                 }
             } else {
                 // Divided, not multiplied by 1/d: of a slope below 1/2048 fixed point has no reciprocal.
-                let distance = |level: S| S::div((level - o).mul_wide(S::ONE), d.mul_wide(S::ONE));
+                let distance = |level: S| (level - o).ratio(d);
                 let (to_low, to_high) = (distance(low), distance(high));
                 let (first, last) = if d > S::ZERO {
                     ((to_low, face), (to_high, face + 1))
@@ -81,7 +81,7 @@ impl<S: Scalar> Cuboid<S> {
     /// Answers a point's place between the low and the high corner, from 0 to below 1 on each axis.
     fn place(&self, point: Vec3<S>) -> Vec3<S> {
         let share = |p: S, low: S, high: S| {
-            let share = S::div((p - low).mul_wide(S::ONE), (high - low).mul_wide(S::ONE));
+            let share = (p - low).ratio(high - low);
             // A rounding beyond the rim would be a tile too far.
             share.max(S::ZERO).min(S::BELOW_ONE)
         };

@@ -17,6 +17,8 @@ pub(super) struct Site<'a, S: Scalar> {
     /// The surface; its normal points to the viewer's side.
     pub surface: Surface<S>,
     pub material: &'a Material<S>,
+    /// What of the ambient light the material reflects where it is white.
+    pub ambient: Rgb<S>,
     /// Where the viewer looks to, unit length.
     pub direction: Vec3<S>,
     /// Distance to the viewer.
@@ -43,7 +45,7 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
         if site.material.model == Model::Flat {
             return color;
         }
-        let mut sum = self.scene.ambient * color * site.material.ambient;
+        let mut sum = site.ambient * color;
         for (number, light) in (0..).zip(self.scene.lights) {
             let Some((direction, distance)) = facing(light, &site.surface) else { continue };
             let cosine = brdf::lambert(site.surface.normal, direction);

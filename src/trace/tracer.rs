@@ -39,6 +39,8 @@ pub struct Tracer<'a, 's, S: Scalar, X> {
     shader: Shader<'a, 's, S, X>,
     depth: u8,
     exposure: Rgb<S>,
+    /// Whether the exposure is any but 1.
+    exposed: bool,
     faint: S,
     eye: Option<Vec3<S>>,
 }
@@ -48,12 +50,13 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     /// shadow.
     pub fn new(scene: &'s Scene<'a, S, X>, depth: u8) -> Self {
         let shader = Shader { scene, vicinities: None };
-        Self { scene, shader, depth, exposure: Rgb::WHITE, faint: S::ZERO, eye: None }
+        Self { scene, shader, depth, exposure: Rgb::WHITE, exposed: false, faint: S::ZERO, eye: None }
     }
 
     /// Sets the factor on all light.
     pub fn with_exposure(mut self, exposure: S) -> Self {
         self.exposure = Rgb::gray(exposure);
+        self.exposed = exposure != S::ONE;
         self
     }
 
@@ -89,7 +92,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         let Packet { lanes, light } = packet;
         let mut count = 0;
         for (lane, (ray, interval)) in lanes.iter_mut().zip(rays) {
-            (lane.ray, lane.interval, lane.weight) = (ray, interval, self.exposure);
+            (lane.ray, lane.interval) = (ray, interval);
             (lane.met, lane.from, lane.number) = (Lane::<S>::NOTHING, Departure::NOWHERE, count);
             count += 1;
             observer.ray(RayKind::Primary);
@@ -103,7 +106,6 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
 
     /// Lights what the rays have met and sends them on from mirrors, until none is left.
     fn follow(&mut self, mut lanes: &mut [Lane<S>], light: &mut [Rgb<S>], observer: &mut impl Observer) {
-        light.fill(Rgb::BLACK);
         let mut sent_on = self.light_up(0, lanes, light, observer);
         let mut level = 0;
         while sent_on {
@@ -133,7 +135,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 Some((&object.shape, self.scene.materials.get(usize::from(object.material))?))
             });
             let Some((shape, material)) = found else {
-                self.see_sky(run, light);
+                self.see_sky(level, run, light);
                 continue;
             };
             sent_on |= material.mirror > S::ZERO && level < self.depth;
@@ -142,9 +144,10 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         sent_on
     }
 
-    fn see_sky(&self, lanes: &mut [Lane<S>], light: &mut [Rgb<S>]) {
+    fn see_sky(&self, level: u8, lanes: &mut [Lane<S>], light: &mut [Rgb<S>]) {
         for lane in lanes {
-            add(light, lane, self.scene.sky.color(lane.ray.direction));
+            let sent = self.scene.sky.color(lane.ray.direction);
+            self.add(level, lane, sent, light);
             lane.weight = Rgb::BLACK;
         }
     }
@@ -161,6 +164,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     ) {
         let eye = if level == 0 { self.eye } else { None };
         let reflects = material.mirror > S::ZERO && level < self.depth;
+        let ambient = self.scene.ambient * material.ambient;
         for lane in lanes {
             let direction = lane.ray.direction;
             let ray = Ray::new(eye.unwrap_or(lane.ray.origin), direction);
@@ -170,23 +174,29 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 surface.normal = -surface.normal;
             }
             let from = Departure { index: lane.met, free: outside && shape.is_convex() };
-            let site = Site { surface, material, direction, distance: lane.interval.far, from, level };
-            add(light, lane, self.shader.direct(&site, observer));
+            let distance = lane.interval.far;
+            let site = Site { surface, material, ambient, direction, distance, from, level };
+            let sent = self.shader.direct(&site, observer);
+            self.add(level, lane, sent, light);
             if reflects {
                 lane.ray = Ray::new(surface.point, unit_reflection(direction, surface.normal));
                 (lane.interval, lane.met, lane.from) = (Interval::AHEAD, Lane::<S>::NOTHING, from);
-                lane.weight = lane.weight * material.mirror;
+                lane.weight = if level == 0 { self.exposure } else { lane.weight } * material.mirror;
             } else {
                 lane.weight = Rgb::BLACK;
             }
         }
     }
-}
 
-/// Adds what a lane's surface or sky sends, as far as it reaches the eye.
-fn add<S: Scalar>(light: &mut [Rgb<S>], lane: &Lane<S>, sent: Rgb<S>) {
-    if let Some(light) = light.get_mut(usize::from(lane.number)) {
-        *light += lane.weight * sent;
+    /// Adds what a lane's surface or sky sends, as far as it reaches the eye; of what is seen
+    /// directly all does, but for the exposure.
+    fn add(&self, level: u8, lane: &Lane<S>, sent: Rgb<S>, light: &mut [Rgb<S>]) {
+        let Some(light) = light.get_mut(usize::from(lane.number)) else { return };
+        if level > 0 {
+            *light += lane.weight * sent;
+        } else {
+            *light = if self.exposed { self.exposure * sent } else { sent };
+        }
     }
 }
 
