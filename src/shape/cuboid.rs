@@ -135,6 +135,10 @@ impl<S: Scalar> Intersect<S> for Cuboid<S> {
         Surface { point, normal, u, v, part: found.part }
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn hull(&self) -> Hull<S> {
         Hull::Box(Aabb::between(self.low, self.high))
     }

@@ -112,7 +112,7 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
     }
 
     fn is_convex(&self) -> bool {
-        !matches!(self, Self::Custom(shape) if !shape.is_convex())
+        dispatch!(self, shape => shape.is_convex())
     }
 
     fn hull(&self) -> Hull<S> {

@@ -120,6 +120,10 @@ impl<S: Scalar> Intersect<S> for Plane<S> {
         Surface { point, normal, u, v, part: 0 }
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn hull(&self) -> Hull<S> {
         Hull::Plane { point: self.point, normal: self.normal }
     }

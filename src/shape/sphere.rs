@@ -98,6 +98,10 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
         }
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn hull(&self) -> Hull<S> {
         Hull::Ball { center: self.center, radius: self.radius }
     }

@@ -85,6 +85,10 @@ impl<S: Scalar> Intersect<S> for Triangle<S> {
         }
     }
 
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     fn hull(&self) -> Hull<S> {
         Hull::Triangle([self.a, self.b, self.c])
     }

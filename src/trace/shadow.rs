@@ -1,11 +1,11 @@
 use super::vicinity::{NOTED, Vicinity};
-use super::visibility::{Departure, blocks};
+use super::visibility::Departure;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
 use crate::shape::Intersect;
 
-/// Asks whether anything blocks the way to a light.
+/// Asks whether anything blocks the way to a light (row L7).
 pub(super) struct Query<S: Scalar> {
     pub ray: Ray<S>,
     pub interval: Interval<S>,
@@ -56,7 +56,10 @@ impl<S: Scalar> Query<S> {
     }
 
     fn is_blocked_by<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>, index: usize) -> bool {
-        let object = scene.objects.get(index);
-        object.is_some_and(|object| blocks(object, index, self.from, &self.ray, &self.interval))
+        let Some(object) = scene.objects.get(index) else { return false };
+        if index != usize::from(self.from.index) {
+            return object.shape.occludes(&self.ray, &self.interval);
+        }
+        !self.from.free && object.shape.intersect_leaving(&self.ray, &self.interval).is_some()
     }
 }

@@ -2,8 +2,8 @@
 
 use super::lane::Lane;
 use crate::math::{Scalar, Vec3};
-use crate::ray::{Interval, Ray};
-use crate::scene::{Object, Scene};
+use crate::ray::Ray;
+use crate::scene::Scene;
 use crate::shape::{Intersect, dispatch};
 use core::ops::Range;
 
@@ -78,19 +78,4 @@ fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>])
             lane.meet(index, crossing);
         }
     }
-}
-
-/// Tells whether object number `index` stands inside the interval of a ray that starts on the
-/// surface `from` (row L7).
-pub(super) fn blocks<S: Scalar, X: Intersect<S>>(
-    object: &Object<S, X>,
-    index: usize,
-    from: Departure,
-    ray: &Ray<S>,
-    interval: &Interval<S>,
-) -> bool {
-    if index != usize::from(from.index) {
-        return object.shape.occludes(ray, interval);
-    }
-    !from.free && object.shape.intersect_leaving(ray, interval).is_some()
 }
