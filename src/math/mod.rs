@@ -21,10 +21,12 @@ mod unit;
 mod zeros;
 
 mod scalar;
+mod units;
 mod vec3;
 
 pub use angle::tan_half;
 pub use fixed::Fixed;
 pub use scalar::{Scalar, Wide};
+pub use units::Units;
 pub use vec3::{Vec3, WideVec3};
 pub use wide::FixedWide;

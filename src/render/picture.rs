@@ -17,6 +17,8 @@ pub(super) struct Picture<'a, S: Scalar, X> {
     pub frame: Frame<S>,
     pub size: Size,
     pub settings: Settings<S>,
+    /// The weight up to which a mirror's light is too faint for any panel.
+    pub faintest: S,
 }
 
 impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
@@ -35,6 +37,7 @@ impl<S: Scalar, X: Intersect<S>> Picture<'_, S, X> {
         let mut tracer = Tracer::new(&self.scene, self.settings.depth)
             .with_exposure(self.settings.exposure)
             .with_eye(self.frame.one_eye())
+            .with_faintest(self.faintest)
             .with_vicinities(vicinities);
         let mut rays = self.frame.row(y, columns.start).map(|primary| (primary.ray, primary.interval));
         let mut x = columns.start;

@@ -55,7 +55,16 @@ where
         let frame = camera.frame(size.width, size.height)?;
         workspace.scratch.spans.enter_picture(scene, &frame);
         workspace.scratch.vicinities.clear();
-        Ok(Self { picture: Picture { scene: *scene, frame, size, settings }, workspace })
+        Ok(Self {
+            picture: Picture {
+                scene: *scene,
+                frame,
+                size,
+                settings,
+                faintest: faintest(scene, settings.depth),
+            },
+            workspace,
+        })
     }
 
     /// Answers the size of the picture.
@@ -101,6 +110,16 @@ where
         self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row);
         Ok(())
     }
+}
+
+/// Answers the weight up to which all that a ray can still bring is too faint for any panel.
+///
+/// It brings less than 2^-16: 1/20 of the darkest step of 8 bits a channel, which the sRGB curve
+/// makes 1/3295 of white; 1/80 of the darkest step of 6 bits, 1/160 of that of 5, 1/340 of that of
+/// 4. No channel changes by more than one step, and that only where dithering tips it.
+fn faintest<S: Scalar, X: Intersect<S>>(scene: &Scene<'_, S, X>, depth: u8) -> S {
+    let mirrors = S::from_i32(64) * (S::from_i32(i32::from(depth)) + S::ONE);
+    S::SKIN * (mirrors * scene.brightest()).recip()
 }
 
 impl<S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'_, '_, S, C, WIDTH, DEPTH, X>

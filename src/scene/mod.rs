@@ -2,6 +2,7 @@
 
 mod buffer;
 mod check;
+mod extent;
 
 pub use buffer::{Full, SceneBuffer};
 pub use check::SceneError;

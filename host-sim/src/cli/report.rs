@@ -1,7 +1,7 @@
 use crate::compare::Figures;
 use crate::memory::Bill;
 use crate::shot::{Number, Shot, Taken};
-use scanray::{Fixed, Transfer};
+use scanray::{Fixed, Scalar, Transfer};
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::time::Duration;
@@ -22,6 +22,11 @@ pub(super) fn taken(out: &mut impl Write, shot: &Shot, taken: &Taken) -> io::Res
             line(out, "time", pace(rays.primary + rays.shadow + rays.reflection, taken.time))?;
         }
         None => line(out, "time", milliseconds(taken.time))?,
+    }
+    if shot.number == Number::Fixed {
+        let (largest, limit) = (shot.scene.fixed.scene.largest(), Fixed::LIMIT);
+        let (largest, limit) = (largest.to_f64(), limit.to_f64());
+        line(out, "units", format!("largest coordinate {largest:.1}, of {limit:.0} that fixed point takes"))?;
     }
     line(out, "RAM", memory(shot))
 }

@@ -1,0 +1,60 @@
+use super::Scene;
+use crate::color::Rgb;
+use crate::environment::Sky;
+use crate::hull::Hull;
+use crate::light::Light;
+use crate::material::Material;
+use crate::math::{Scalar, Vec3};
+use crate::shape::Intersect;
+use crate::texture::Texture;
+
+fn largest<S: Scalar>(v: Vec3<S>) -> S {
+    v.x.abs().max(v.y.abs()).max(v.z.abs())
+}
+
+fn reach<S: Scalar>(hull: &Hull<S>) -> S {
+    match *hull {
+        Hull::Plane { point, .. } => largest(point),
+        _ => hull.bounds().map_or(S::ZERO, |bounds| largest(bounds.center) + largest(bounds.half)),
+    }
+}
+
+fn brightest_of_texture<S: Scalar>(texture: &Texture<S>) -> S {
+    match texture {
+        Texture::Solid(color) => color.max(),
+        Texture::Checker(checker) => checker.even.max().max(checker.odd.max()),
+    }
+}
+
+impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
+    /// Answers the largest magnitude among the coordinates of shapes and lights: at most this is
+    /// what [`Scene::check`] compares with [`Scalar::LIMIT`].
+    pub fn largest(&self) -> S {
+        let shapes = self.objects.iter().map(|object| reach(&object.shape.hull()));
+        let lights = self.lights.iter().map(|light| match *light {
+            Light::Point { position, .. } => largest(position),
+            Light::Directional { .. } => S::ZERO,
+        });
+        shapes.chain(lights).fold(S::ZERO, S::max)
+    }
+
+    /// Answers a bound of the light that any surface or the sky sends without mirrors: every term of
+    /// the shading at its largest.
+    pub fn brightest(&self) -> S {
+        let arriving = self.lights.iter().fold(S::ZERO, |sum, light| sum + light.color().max());
+        let sent = |material: &Material<S>| {
+            let color = brightest_of_texture(&material.texture);
+            let lit =
+                self.ambient.max() * material.ambient * color + arriving * (color + material.specular.max());
+            lit.max(color)
+        };
+        let sky = match self.sky {
+            Sky::Solid(color) => color,
+            Sky::Gradient { nadir, zenith, .. } => {
+                let Rgb { r, g, b } = zenith;
+                Rgb::new(nadir.r.max(r), nadir.g.max(g), nadir.b.max(b))
+            }
+        };
+        self.materials.iter().map(sent).fold(sky.max(), S::max)
+    }
+}
