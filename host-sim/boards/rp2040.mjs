@@ -3,6 +3,7 @@
 import { basename, resolve } from 'node:path';
 
 import { functionAt, readElf } from './lib/elf.mjs';
+import { emulator } from './lib/emulator.mjs';
 import { Complaint, outcomeFolder, perPixel, runBoard, writePicture, writeReport } from './lib/outcome.mjs';
 import { PIXELS, St7789 } from './lib/st7789.mjs';
 
@@ -15,14 +16,6 @@ const PANEL_HZ = 62.5e6;
 
 /** Eight times the slowest frame so far (621 million): an image that needs more will never finish. */
 const MOST_INSTRUCTIONS = 5e9;
-
-async function emulator() {
-  try {
-    return await import('rp2040js');
-  } catch {
-    throw new Complaint('The RP2040 emulator is not installed. Install it with: npm ci --prefix host-sim/boards');
-  }
-}
 
 class Pico {
   constructor({ RP2040, GPIOPinState }, elf) {

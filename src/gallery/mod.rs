@@ -114,7 +114,8 @@ macro_rules! gallery_of {
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
 
-            pub(super) static VIEWS: [super::View<$number>; 9] = [
+            /// Lists the gallery; a constant that takes one of it links that scene alone.
+            pub static VIEWS: [super::View<$number>; 9] = [
                 SIMPLE,
                 FIRST_LIGHT,
                 MIRROR_LEVELS,
