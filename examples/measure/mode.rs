@@ -17,7 +17,5 @@ pub trait Modes: Sized + 'static {
 }
 
 impl<S: Scalar + 'static> Modes for S {
-    const MODES: &'static [Mode<S>] = &[
-        Mode { name: "exact", settings: |settings| settings },
-    ];
+    const MODES: &'static [Mode<S>] = &[Mode { name: "exact", settings: |settings| settings }];
 }
