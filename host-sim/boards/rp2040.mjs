@@ -5,17 +5,10 @@
 import { basename, resolve } from 'node:path';
 
 import { readElf } from './lib/elf.mjs';
+import { emulator } from './lib/emulator.mjs';
 import { Complaint, outcomeFolder, perPixel, runBoard, writePicture, writeReport } from './lib/outcome.mjs';
 import { Pico } from './lib/pico.mjs';
 import { PIXELS } from './lib/st7789.mjs';
-
-async function emulator() {
-  try {
-    return await import('rp2040js');
-  } catch {
-    throw new Complaint('The RP2040 emulator is not installed. Install it with: npm ci --prefix host-sim/boards');
-  }
-}
 
 /** The cycles of a frame: what the first core traced, what the line carried, and both side by side. */
 function frameTimes({ counts, transferCycles }, frames) {

@@ -1,5 +1,6 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
 
+pub mod bench;
 pub mod canvas;
 pub mod cli;
 pub mod compare;

@@ -67,6 +67,7 @@ mod c_ray;
 mod first_light;
 mod mirror_levels;
 mod orthographic;
+mod playdate;
 mod simple;
 mod three_spheres;
 mod tinyraytracer;
@@ -108,11 +109,13 @@ macro_rules! gallery_of {
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
+            pub use super::playdate::$module::VIEW as PLAYDATE;
             pub use super::simple::$module::VIEW as SIMPLE;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
 
-            pub(super) static VIEWS: [super::View<$number>; 8] = [
+            /// Lists the gallery; a constant that takes one of it links that scene alone.
+            pub static VIEWS: [super::View<$number>; 9] = [
                 SIMPLE,
                 FIRST_LIGHT,
                 MIRROR_LEVELS,
@@ -121,6 +124,7 @@ macro_rules! gallery_of {
                 TINYRAYTRACER,
                 C_RAY,
                 BUSINESS_CARD,
+                PLAYDATE,
             ];
         }
 

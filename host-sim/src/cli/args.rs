@@ -1,4 +1,5 @@
 use super::Error;
+use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::scenes;
@@ -40,6 +41,8 @@ pub(super) enum Command {
     Show(ShowArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
+    /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
+    Bench(BenchArgs),
     /// Name the scenes of the gallery
     List,
 }
@@ -108,6 +111,28 @@ pub(super) struct CompareArgs {
     pub output: Option<PathBuf>,
 }
 
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray bench\n  \
+    scanray bench --scene c-ray --chip m3\n\n\
+    It builds firmware from the sources of this project, for the targets thumbv6m-none-eabi,\n\
+    thumbv7m-none-eabi and thumbv7em-none-eabihf, and needs qemu-system-arm; the cycles of the m0+\n\
+    need Node.js and `npm ci --prefix host-sim/boards`.")]
+pub(super) struct BenchArgs {
+    /// Measure this scene of the gallery only
+    #[arg(long)]
+    pub scene: Option<String>,
+    /// Measure on this chip only: m4f, m3 or m0+
+    #[arg(long, value_parser = chip)]
+    pub chip: Option<&'static Chip>,
+    /// Print the rows as JSON and nothing else
+    #[arg(long)]
+    pub json: bool,
+    /// Keep the rows in host-sim/bench.json, by which later ones are judged
+    #[arg(long)]
+    pub update: bool,
+}
+
 /// Is what a picture is to look like.
 #[derive(Debug, Args)]
 pub(super) struct Look {
@@ -165,6 +190,11 @@ fn judged(text: &str) -> Result<Number, String> {
     let numbers = [Number::F32, Number::Fixed, Number::Exact];
     let number = numbers.into_iter().find(|number| number.name() == text);
     number.ok_or_else(|| "the numbers judged by the reference are f32, fixed and exact".to_owned())
+}
+
+fn chip(text: &str) -> Result<&'static Chip, String> {
+    let names = CHIPS.each_ref().map(|chip| chip.name);
+    Chip::find(text).ok_or_else(|| format!("the chips are {}", names.join(", ")))
 }
 
 fn depth(text: &str) -> Result<u8, String> {

@@ -1,3 +1,4 @@
+use crate::bench::Failure;
 use crate::scenes;
 use crate::shot::Refusal;
 use std::path::PathBuf;
@@ -13,6 +14,8 @@ pub enum Error {
     NothingToCompare,
     /// The picture cannot be drawn.
     Render(Refusal),
+    /// Something cannot be measured.
+    Bench(Failure),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -45,6 +48,7 @@ impl fmt::Display for Error {
                  Name one, as in `scanray compare simple`, or take `scanray compare --all`.",
             ),
             Self::Render(error) => write!(f, "the picture cannot be drawn: {error}."),
+            Self::Bench(failure) => write!(f, "{failure}"),
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -73,6 +77,12 @@ impl From<io::Error> for Error {
 impl From<Refusal> for Error {
     fn from(error: Refusal) -> Self {
         Self::Render(error)
+    }
+}
+
+impl From<Failure> for Error {
+    fn from(failure: Failure) -> Self {
+        Self::Bench(failure)
     }
 }
 

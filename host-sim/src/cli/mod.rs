@@ -1,6 +1,7 @@
 //! The command line: what it takes, what it prints, how it fails.
 
 mod args;
+mod bench;
 mod compare;
 mod error;
 mod list;
@@ -59,6 +60,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
+        Command::Bench(args) => bench::run(args, &mut out)?,
         Command::List => list::run(&mut out)?,
     }
     Ok(out.flush()?)

@@ -1,0 +1,83 @@
+use super::image::{Image, project};
+use super::{Chip, Failure};
+use std::io::Read;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Is how long a run may take before it counts as hung.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+/// The firmware counts at 25 MHz; an instruction, or in the other emulator a cycle, takes a nanosecond.
+const COUNTS_PER_TICK: u64 = 40;
+
+/// Is QEMU's command.
+pub const QEMU: &str = "qemu-system-arm";
+
+/// Is what the firmware said: a line for each figure of each mode.
+#[derive(Debug)]
+pub struct Said(String);
+
+impl Said {
+    /// Answers the figure of a mode.
+    pub fn figure(&self, mode: &str, name: &str) -> Result<u32, Failure> {
+        let figure =
+            |line: &str| line.strip_prefix(mode)?.strip_prefix(' ')?.strip_prefix(name)?.trim().parse().ok();
+        self.0.lines().find_map(figure).ok_or_else(|| Failure::Firmware(self.0.clone()))
+    }
+
+    /// Answers how many instructions, or cycles, the picture took.
+    pub fn count(&self, mode: &str) -> Result<u64, Failure> {
+        Ok(u64::from(self.figure(mode, "ticks")?) * COUNTS_PER_TICK)
+    }
+}
+
+/// Answers QEMU with an image on the board of a chip, its firmware's words on standard output.
+pub fn qemu(chip: &Chip, image: &Image) -> Command {
+    let mut qemu = Command::new(QEMU);
+    qemu.args(["-M", chip.machine, "-display", "none", "-serial", "none", "-monitor", "none", "-no-reboot"])
+        .args(["-semihosting-config", "enable=on,target=native,arg=measure,arg=1", "-kernel"])
+        .arg(&image.path);
+    qemu
+}
+
+/// Runs the image and counts instructions: with `shift=0` each takes a nanosecond of the board's time.
+pub fn count_instructions(chip: &Chip, image: &Image) -> Result<Said, Failure> {
+    listen(QEMU, qemu(chip, image).args(["-icount", "shift=0"]))
+}
+
+/// Runs each `stride`th row of the image on the emulated RP2040, which counts cycles.
+pub fn count_cycles(image: &Image, stride: u32) -> Result<Said, Failure> {
+    let script = project().join("host-sim/boards/measure.mjs");
+    listen("node", Command::new("node").arg(script).arg(&image.path).arg(stride.to_string()))
+}
+
+/// Runs a program to its end.
+fn listen(name: &'static str, command: &mut Command) -> Result<Said, Failure> {
+    let mut child = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(|error| Failure::Start(name, error))?;
+    let ended_well = wait(&mut child).map_err(|error| Failure::Start(name, error))?;
+    let mut said = String::new();
+    let mut complained = String::new();
+    // What cannot be read is missing below.
+    let _ = child.stdout.take().map(|mut out| out.read_to_string(&mut said));
+    let _ = child.stderr.take().map(|mut out| out.read_to_string(&mut complained));
+    if ended_well { Ok(Said(said)) } else { Err(Failure::Firmware(said + &complained)) }
+}
+
+/// Waits for the end, at most as long as our patience; the few words the firmware says fit in a pipe.
+fn wait(child: &mut Child) -> std::io::Result<bool> {
+    let begin = Instant::now();
+    while begin.elapsed() < PATIENCE {
+        if let Some(status) = child.try_wait()? {
+            return Ok(status.success());
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    child.kill()?;
+    child.wait()?;
+    Ok(false)
+}

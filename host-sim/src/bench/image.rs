@@ -1,0 +1,82 @@
+use super::{Chip, Failure};
+use object::{Object, ObjectSection, SectionFlags, SectionKind, elf};
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Takes the place of the target's own link arguments: every core has the memory of the same board.
+const LINK: &str = "-C link-arg=--nmagic -C link-arg=-Texamples/boards/mps2_an386.ld";
+
+/// Is an image of the measuring firmware.
+#[derive(Debug)]
+pub struct Image {
+    /// Where it lies.
+    pub path: PathBuf,
+}
+
+/// Counts bytes by where they live.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sizes {
+    /// Bytes in flash: code, constants, what statics begin with.
+    pub flash: u64,
+    /// Bytes of statics in RAM.
+    pub ram: u64,
+}
+
+/// Answers the folder of the project, whose firmware is measured.
+pub fn project() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""))
+}
+
+/// Is what cargo says of something it has built, as far as it matters here.
+#[derive(Deserialize)]
+struct Built {
+    executable: Option<PathBuf>,
+}
+
+impl Image {
+    /// Builds the image of a scene for a chip.
+    pub fn build(chip: &Chip, scene: &str, [width, height]: [u32; 2]) -> Result<Self, Failure> {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let output = Command::new(cargo)
+            .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
+            .args(["--example", "measure", "--target", chip.target])
+            .current_dir(project())
+            .env("RUSTFLAGS", LINK)
+            .env_remove("CARGO_ENCODED_RUSTFLAGS")
+            .env("SCANRAY_SCENE", scene)
+            .env("SCANRAY_SIZE", format!("{width}x{height}"))
+            .output()
+            .map_err(|error| Failure::Start("cargo", error))?;
+        let messages = String::from_utf8_lossy(&output.stdout);
+        let built = messages.lines().filter_map(|line| serde_json::from_str::<Built>(line).ok());
+        match built.filter_map(|built| built.executable).next_back() {
+            Some(path) if output.status.success() => Ok(Self { path }),
+            _ => Err(Failure::Build(String::from_utf8_lossy(&output.stderr).into_owned())),
+        }
+    }
+
+    /// Reads the file.
+    pub fn read(&self) -> Result<Vec<u8>, Failure> {
+        std::fs::read(&self.path).map_err(|error| Failure::File(self.path.clone(), error.to_string()))
+    }
+
+    /// Counts the bytes that the image takes on the chip.
+    pub fn sizes(&self) -> Result<Sizes, Failure> {
+        let bytes = self.read()?;
+        let file = object::File::parse(&*bytes)
+            .map_err(|error| Failure::File(self.path.clone(), error.to_string()))?;
+        let mut sizes = Sizes::default();
+        for section in file.sections() {
+            let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
+            let has = |flag: u32| sh_flags & u64::from(flag) != 0;
+            if !has(elf::SHF_ALLOC) {
+                continue;
+            }
+            let in_flash = section.kind() != SectionKind::UninitializedData;
+            sizes.flash += if in_flash { section.size() } else { 0 };
+            sizes.ram += if has(elf::SHF_WRITE) { section.size() } else { 0 };
+        }
+        Ok(sizes)
+    }
+}

@@ -1,0 +1,112 @@
+//! The bench: what a picture costs on a chip, in instructions, flash, RAM and stack, and how right it is.
+//!
+//! An image of `examples/measure` is built for each scene and chip and run on the emulated chip. The host checks that
+//! the chip drew the very picture whose distance from the reference it tells.
+
+mod chip;
+mod emulator;
+mod failure;
+mod image;
+#[path = "../../../examples/measure/mode.rs"]
+mod mode;
+mod peers;
+mod row;
+mod snapshot;
+mod table;
+mod truth;
+
+pub use chip::{CHIPS, Chip};
+pub use failure::Failure;
+pub use row::Row;
+pub use snapshot::{Snapshot, WORST_PSNR};
+pub use table::table;
+
+use crate::scenes::{self, Entry};
+use emulator::Said;
+use image::Image;
+use truth::Truth;
+
+/// Is the size of the pictures, that of the peers' published figures.
+pub const SIZE: [u32; 2] = [320, 240];
+
+/// Names the scenes of the table: those that peers draw, and the lectures'.
+pub const SCENES: [&str; 6] =
+    ["three-spheres", "tinyraytracer", "c-ray", "playdate", "business-card", "simple"];
+
+/// Chooses what to measure; nothing chosen is everything.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Choice<'a> {
+    /// The only scene, one of the gallery.
+    pub scene: Option<&'a str>,
+    /// The only chip.
+    pub chip: Option<&'static Chip>,
+}
+
+impl Choice<'_> {
+    /// Answers the scenes to measure.
+    pub fn scenes(&self) -> Vec<Entry> {
+        match self.scene {
+            Some(name) => scenes::find(name).into_iter().collect(),
+            None => SCENES.iter().filter_map(|name| scenes::find(name)).collect(),
+        }
+    }
+
+    /// Answers the chips to measure on.
+    pub fn chips(&self) -> impl Iterator<Item = &'static Chip> {
+        CHIPS.iter().filter(|chip| self.chip.is_none_or(|only| only.name == chip.name))
+    }
+}
+
+/// Measures what is chosen; `begin` is told what is at work.
+///
+/// # Errors
+/// What keeps an image from being built or run, or a picture that is not the host's.
+pub fn measure(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Row>, Failure> {
+    let mut rows = vec![];
+    for scene in choice.scenes() {
+        begin(&format!("{}: the reference", scene.name()));
+        let truth = Truth::trace(scene)?;
+        for chip in choice.chips() {
+            let mut begin = |what: &str| begin(&format!("{} on {}: {what}", scene.name(), chip.name));
+            rows.extend(measure_on(chip, &truth, &mut begin)?);
+        }
+    }
+    Ok(rows)
+}
+
+fn measure_on(chip: &Chip, truth: &Truth, begin: &mut dyn FnMut(&str)) -> Result<Vec<Row>, Failure> {
+    let scene = truth.scene.name();
+    begin("building");
+    let image = Image::build(chip, scene, SIZE)?;
+    let sizes = image.sizes()?;
+    begin("counting instructions");
+    let said = emulator::count_instructions(chip, &image)?;
+    let mut rows = vec![];
+    for mode in truth::mode_names() {
+        let judged = truth.judge(chip, mode)?;
+        if said.figure(mode, "checksum")? != judged.checksum {
+            return Err(Failure::OtherPicture(scene.to_owned(), chip.name));
+        }
+        rows.push(Row::new(chip, scene, mode, sizes, &said, &judged)?);
+    }
+    if chip.counts_cycles {
+        begin("counting cycles");
+        add_cycles(&image, &said, &mut rows)?;
+    }
+    Ok(rows)
+}
+
+/// Adds cycles, counted on a slower emulator: of so many rows as it traces in about a quarter of a minute.
+fn add_cycles(image: &Image, said: &Said, rows: &mut [Row]) -> Result<(), Failure> {
+    const PATIENCE: u64 = 150_000_000;
+    let mut instructions = 0;
+    for row in rows.iter() {
+        instructions += said.count(&row.mode)?;
+    }
+    let stride = (instructions.div_ceil(PATIENCE) as u32).clamp(1, SIZE[1]);
+    let said = emulator::count_cycles(image, stride)?;
+    for row in rows {
+        row.set_cycles(said.count(&row.mode)?, stride);
+    }
+    Ok(())
+}

@@ -1,0 +1,28 @@
+use super::Error;
+use super::args::{BenchArgs, scene};
+use crate::bench::{self, Choice, Snapshot};
+use std::io::Write;
+
+/// Measures scenes on emulated chips, prints a table and keeps it if asked to.
+pub(super) fn run(args: &BenchArgs, out: &mut impl Write) -> Result<(), Error> {
+    let name = args.scene.as_deref().map(scene).transpose()?.map(|entry| entry.name());
+    let choice = Choice { scene: name, chip: args.chip };
+    let rows = bench::measure(choice, |what| {
+        // Nobody may be there to be told; that stops nothing.
+        let _ = writeln!(std::io::stderr(), "{what}");
+    })?;
+    if args.json {
+        let text = serde_json::to_string_pretty(&rows).map_err(std::io::Error::from)?;
+        writeln!(out, "{text}")?;
+    } else {
+        write!(out, "{}", bench::table(&rows))?;
+    }
+    if args.update {
+        // A snapshot that cannot be read is made anew.
+        let mut kept = Snapshot::read().unwrap_or_default();
+        kept.update(&rows);
+        let path = kept.write()?;
+        let _ = writeln!(std::io::stderr(), "kept in {}", path.display());
+    }
+    Ok(())
+}
