@@ -1,6 +1,6 @@
 use super::visibility::Departure;
 use crate::color::Rgb;
-use crate::hit::Crossing;
+use crate::hit::{Crossing, Surface};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 
@@ -28,6 +28,8 @@ pub(super) struct Lane<S = f32> {
     pub number: u8,
     /// What of its light reaches the eye.
     pub weight: Rgb<S>,
+    /// Outward normal of the surface reached; the ray then starts on that surface.
+    pub normal: Vec3<S>,
 }
 
 impl<S: Scalar> Lane<S> {
@@ -45,6 +47,7 @@ impl<S: Scalar> Lane<S> {
         from: Departure::NOWHERE,
         number: 0,
         weight: Rgb::BLACK,
+        normal: Vec3::ZERO,
     };
 
     /// Takes note of a crossing nearer than those before.
@@ -52,6 +55,17 @@ impl<S: Scalar> Lane<S> {
         let Crossing { t, part, u, v } = crossing;
         (self.interval.far, self.part, self.u, self.v) = (t, part, u, v);
         self.met = index;
+    }
+
+    /// Goes onto the surface at the nearest crossing.
+    pub fn arrive(&mut self, surface: Surface<S>) {
+        (self.ray.origin, self.normal) = (surface.point, surface.normal);
+        (self.u, self.v, self.part) = (surface.u, surface.v, surface.part);
+    }
+
+    /// Answers the surface reached.
+    pub fn surface(&self) -> Surface<S> {
+        Surface { point: self.ray.origin, normal: self.normal, u: self.u, v: self.v, part: self.part }
     }
 
     /// Answers the nearest crossing found.

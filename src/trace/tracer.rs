@@ -2,7 +2,7 @@ use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
 use super::shade::{Shader, Site};
 use super::vicinity::Vicinities;
-use super::visibility::{Candidates, Departure, nearest};
+use super::visibility::{Candidates, Departure, arrive, nearest};
 use crate::color::Rgb;
 use crate::material::Material;
 use crate::math::{Scalar, Vec3};
@@ -139,7 +139,9 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 continue;
             };
             sent_on |= material.mirror > S::ZERO && level < self.depth;
-            dispatch!(shape, shape => self.visit(shape, material, level, run, light, observer));
+            let eye = if level == 0 { self.eye } else { None };
+            dispatch!(shape, shape => arrive(shape, eye, run));
+            self.visit(shape.is_convex(), material, level, run, light, observer);
         }
         sent_on
     }
@@ -152,34 +154,32 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         }
     }
 
-    /// Lights places of one object and reflects the rays that have reached them.
+    /// Lights places of one object, convex or not, and reflects the rays that have reached them.
     fn visit(
         &mut self,
-        shape: &impl Intersect<S>,
+        convex: bool,
         material: &Material<S>,
         level: u8,
         lanes: &mut [Lane<S>],
         light: &mut [Rgb<S>],
         observer: &mut impl Observer,
     ) {
-        let eye = if level == 0 { self.eye } else { None };
         let reflects = material.mirror > S::ZERO && level < self.depth;
         let ambient = self.scene.ambient * material.ambient;
         for lane in lanes {
             let direction = lane.ray.direction;
-            let ray = Ray::new(eye.unwrap_or(lane.ray.origin), direction);
-            let mut surface = shape.surface(&ray, &lane.crossing());
+            let mut surface = lane.surface();
             let outside = surface.normal.dot(direction) <= S::ZERO;
             if !outside {
                 surface.normal = -surface.normal;
             }
-            let from = Departure { index: lane.met, free: outside && shape.is_convex() };
+            let from = Departure { index: lane.met, free: outside && convex };
             let distance = lane.interval.far;
             let site = Site { surface, material, ambient, direction, distance, from, level };
             let sent = self.shader.direct(&site, observer);
             self.add(level, lane, sent, light);
             if reflects {
-                lane.ray = Ray::new(surface.point, unit_reflection(direction, surface.normal));
+                lane.ray.direction = unit_reflection(direction, surface.normal);
                 (lane.interval, lane.met, lane.from) = (Interval::AHEAD, Lane::<S>::NOTHING, from);
                 lane.weight = if level == 0 { self.exposure } else { lane.weight } * material.mirror;
             } else {

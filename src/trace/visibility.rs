@@ -49,33 +49,30 @@ pub(super) fn nearest<S: Scalar, X: Intersect<S>>(
     let Candidates { named, rest } = candidates;
     for index in named.iter().copied().chain(rest) {
         let Some(object) = scene.objects.get(usize::from(index)) else { continue };
-        match eye {
-            Some(eye) => dispatch!(&object.shape, shape => look_from(shape, index, eye, lanes)),
-            None => dispatch!(&object.shape, shape => look(shape, index, lanes)),
-        }
+        dispatch!(&object.shape, shape => look(shape, index, eye, lanes));
     }
 }
 
-fn look_from<S: Scalar>(shape: &impl Intersect<S>, index: u16, eye: Vec3<S>, lanes: &mut [Lane<S>]) {
+fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, eye: Option<Vec3<S>>, lanes: &mut [Lane<S>]) {
     for lane in lanes {
-        let ray = Ray::new(eye, lane.ray.direction);
-        if let Some(crossing) = shape.intersect(&ray, &lane.interval) {
-            lane.meet(index, crossing);
-        }
-    }
-}
-
-fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>]) {
-    for lane in lanes {
+        let ray = Ray::new(eye.unwrap_or(lane.ray.origin), lane.ray.direction);
         let crossing = if lane.from.index != index {
-            shape.intersect(&lane.ray, &lane.interval)
+            shape.intersect(&ray, &lane.interval)
         } else if lane.from.free {
             None
         } else {
-            shape.intersect_leaving(&lane.ray, &lane.interval)
+            shape.intersect_leaving(&ray, &lane.interval)
         };
         if let Some(crossing) = crossing {
             lane.meet(index, crossing);
         }
+    }
+}
+
+/// Puts rays that have met one shape onto its surface.
+pub(super) fn arrive<S: Scalar>(shape: &impl Intersect<S>, eye: Option<Vec3<S>>, lanes: &mut [Lane<S>]) {
+    for lane in lanes {
+        let ray = Ray::new(eye.unwrap_or(lane.ray.origin), lane.ray.direction);
+        lane.arrive(shape.surface(&ray, &lane.crossing()));
     }
 }
