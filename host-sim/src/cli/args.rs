@@ -6,6 +6,7 @@ use crate::shot::{Number, Shot};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scanray::Transfer;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Is the longest side of a picture the command takes: no display of the field is larger.
@@ -54,6 +55,9 @@ pub(super) struct RenderArgs {
     /// File to write the picture to [default: SCENE.png in the current directory]
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
+    /// Threads that trace it; any number draws the same picture [default: one for each core]
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
     /// Show the picture in the terminal even where a window could be opened
     #[arg(long)]
     pub no_window: bool,

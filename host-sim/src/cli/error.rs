@@ -1,5 +1,6 @@
 use crate::scenes;
 use crate::shot::Refusal;
+use rayon::ThreadPoolBuildError;
 use std::path::PathBuf;
 use std::{fmt, io};
 
@@ -13,6 +14,8 @@ pub enum Error {
     NothingToCompare,
     /// The picture cannot be drawn.
     Render(Refusal),
+    /// The system starts no threads, or not so many.
+    Threads(ThreadPoolBuildError),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -45,6 +48,9 @@ impl fmt::Display for Error {
                  Name one, as in `scanray compare simple`, or take `scanray compare --all`.",
             ),
             Self::Render(error) => write!(f, "the picture cannot be drawn: {error}."),
+            Self::Threads(error) => {
+                write!(f, "there are no such threads: {error}.\n`--threads 1` asks for no more than one.")
+            }
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -73,6 +79,12 @@ impl From<io::Error> for Error {
 impl From<Refusal> for Error {
     fn from(error: Refusal) -> Self {
         Self::Render(error)
+    }
+}
+
+impl From<ThreadPoolBuildError> for Error {
+    fn from(error: ThreadPoolBuildError) -> Self {
+        Self::Threads(error)
     }
 }
 

@@ -1,0 +1,58 @@
+//! A picture does not depend on how many threads trace it.
+
+use host_sim::picture::{Film, pool, trace};
+use host_sim::scenes::{self, Entry, HostNumber};
+use scanray::Fixed;
+use std::num::NonZeroUsize;
+use std::sync::mpsc;
+
+/// Is a size that no number of equal bands fills.
+const SIZE: [u32; 2] = [83, 61];
+
+fn film<S: HostNumber>(entry: &Entry, threads: usize) -> Film<S> {
+    let view = S::view(entry);
+    let pool = pool(NonZeroUsize::new(threads)).expect("a few threads can be had");
+    pool.install(|| trace(view, view.settings, SIZE, |_| ())).expect("the gallery can be drawn")
+}
+
+fn assert_same_on_any_number_of_threads<S: HostNumber>() {
+    for entry in scenes::all() {
+        let alone = film::<S>(&entry, 1);
+        assert_eq!(alone.light.len(), 83 * 61);
+        for threads in [2, 3, 8] {
+            let together = film::<S>(&entry, threads);
+            let what = format!("{} on {threads} threads", entry.name());
+            assert!(alone.light == together.light, "{what}");
+            assert_eq!((alone.rays, alone.size), (together.rays, together.size), "{what}");
+        }
+    }
+}
+
+#[test]
+fn the_same_film_in_f32_whatever_the_number_of_threads() {
+    assert_same_on_any_number_of_threads::<f32>();
+}
+
+#[test]
+fn the_same_film_in_fixed_point_whatever_the_number_of_threads() {
+    assert_same_on_any_number_of_threads::<Fixed>();
+}
+
+#[test]
+fn each_row_is_told_once() {
+    let view = f32::view(&scenes::find("simple").expect("it is in the gallery"));
+    let (tell, told) = mpsc::channel();
+    trace(view, view.settings, SIZE, move |y| tell.send(y).expect("someone listens"))
+        .expect("it can be drawn");
+    let mut rows: Vec<u32> = told.iter().collect();
+    rows.sort_unstable();
+    assert!(rows.into_iter().eq(0..61));
+}
+
+#[test]
+fn a_picture_without_pixels_is_refused() {
+    let view = f32::view(&scenes::find("simple").expect("it is in the gallery"));
+    for size in [[0, 5], [5, 0], [0, 0]] {
+        assert!(trace(view, view.settings, size, |_| ()).is_err(), "{size:?}");
+    }
+}
