@@ -56,7 +56,7 @@ pub fn trace<S: Scalar + Send + Sync>(
     // A picture without rows is asked for too, so that the core refuses it.
     let tops = (0..size[1].max(1)).into_par_iter().step_by(BAND as usize);
     let bands: Vec<Film<S>> =
-        tops.map(|top| trace_band(view, settings, size, top, &tell)).collect::<Result<_, _>>()?;
+        tops.map(|top| trace_band(view, settings, size, top, tell)).collect::<Result<_, _>>()?;
     let rays = bands.iter().fold(RayCounts::default(), |sum, band| RayCounts {
         primary: sum.primary + band.rays.primary,
         shadow: sum.shadow + band.rays.shadow,

@@ -40,6 +40,8 @@ pub(super) enum Command {
     Show(ShowArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
+    /// Measure the core against renderers nobody here wrote: povray and tachyon
+    Race(RaceArgs),
     /// Name the scenes of the gallery
     List,
 }
@@ -105,6 +107,20 @@ pub(super) struct CompareArgs {
     /// [default: for a single scene the current one, for --all none]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray race\n  \
+    scanray race --size 640x480 --runs 3\n\n\
+    It needs the programs of Debian's packages povray and tachyon.")]
+pub(super) struct RaceArgs {
+    /// Columns and rows of the pictures that are timed
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x960")]
+    pub size: [u32; 2],
+    /// How often each program draws each picture; the fastest run counts
+    #[arg(long, value_name = "N", default_value = "5")]
+    pub runs: NonZeroUsize,
 }
 
 /// Is what a picture is to look like.

@@ -1,3 +1,4 @@
+use crate::race;
 use crate::scenes;
 use crate::shot::Refusal;
 use rayon::ThreadPoolBuildError;
@@ -16,6 +17,8 @@ pub enum Error {
     Render(Refusal),
     /// The system starts no threads, or not so many.
     Threads(ThreadPoolBuildError),
+    /// A race cannot be run.
+    Race(race::Fault),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -51,6 +54,7 @@ impl fmt::Display for Error {
             Self::Threads(error) => {
                 write!(f, "there are no such threads: {error}.\n`--threads 1` asks for no more than one.")
             }
+            Self::Race(fault) => write!(f, "there is no race: {fault}"),
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -85,6 +89,12 @@ impl From<Refusal> for Error {
 impl From<ThreadPoolBuildError> for Error {
     fn from(error: ThreadPoolBuildError) -> Self {
         Self::Threads(error)
+    }
+}
+
+impl From<race::Fault> for Error {
+    fn from(fault: race::Fault) -> Self {
+        Self::Race(fault)
     }
 }
 

@@ -5,6 +5,7 @@ mod compare;
 mod error;
 mod list;
 mod progress;
+mod race;
 mod render;
 mod report;
 
@@ -59,6 +60,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
+        Command::Race(args) => race::run(args, &mut out)?,
         Command::List => list::run(&mut out)?,
     }
     Ok(out.flush()?)
