@@ -8,6 +8,7 @@ pub mod memory;
 pub mod panel;
 pub mod picture;
 pub mod png;
+pub mod race;
 pub mod reference;
 pub mod scenes;
 pub mod shot;

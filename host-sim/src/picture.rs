@@ -7,9 +7,17 @@ use scanray::trace::RayCounts;
 use scanray::{Dither, RenderError, Renderer, Rgb, Settings, Transfer, Workspace};
 
 use embedded_graphics_core::geometry::Size;
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::num::NonZeroUsize;
+use std::sync::Mutex;
 
 /// Is the most bounces the host's workspaces have room for.
 pub const MAX_DEPTH: usize = 32;
+
+/// Is how many rows a thread takes at a time: enough that to begin costs nothing beside them, few
+/// enough that no thread waits long for the last ones.
+const BAND: u32 = 8;
 
 /// Is the linear light of every pixel, row by row from the top, with what it took.
 #[derive(Clone, Debug)]
@@ -22,33 +30,64 @@ pub struct Film<S> {
     pub rays: RayCounts,
 }
 
-/// Traces a picture with the core in its number.
+/// Makes a pool of so many threads, by default one for each core of the processor.
 ///
-/// `row_done` is told each finished row, for a progress bar.
+/// # Errors
+/// What keeps the system from starting them.
+pub fn pool(threads: Option<NonZeroUsize>) -> Result<ThreadPool, ThreadPoolBuildError> {
+    ThreadPoolBuilder::new().num_threads(threads.map_or(0, NonZeroUsize::get)).build()
+}
+
+/// Traces a picture with the core in its number, on all threads of the pool it is called in.
+///
+/// Rows do not depend on each other: light and ray counts are the same whatever the number of
+/// threads. `row_done` is told each finished row, for a progress bar, in the order they are finished.
 ///
 /// # Errors
 /// What keeps the core from drawing the view.
-pub fn trace<S: Scalar>(
+pub fn trace<S: Scalar + Send + Sync>(
     view: &View<S>,
     settings: Settings<S>,
     size: [u32; 2],
-    mut row_done: impl FnMut(u32),
+    row_done: impl FnMut(u32) + Send,
 ) -> Result<Film<S>, RenderError> {
-    let [columns, rows] = size;
+    let row_done = Mutex::new(row_done);
+    let tell = |y| row_done.lock().map_or((), |mut row_done| row_done(y));
+    // A picture without rows is asked for too, so that the core refuses it.
+    let tops = (0..size[1].max(1)).into_par_iter().step_by(BAND as usize);
+    let bands: Vec<Film<S>> =
+        tops.map(|top| trace_band(view, settings, size, top, tell)).collect::<Result<_, _>>()?;
+    let rays = bands.iter().fold(RayCounts::default(), |sum, band| RayCounts {
+        primary: sum.primary + band.rays.primary,
+        shadow: sum.shadow + band.rays.shadow,
+        reflection: sum.reflection + band.rays.reflection,
+    });
+    Ok(Film { size, light: bands.into_iter().flat_map(|band| band.light).collect(), rays })
+}
+
+/// Traces the rows of a picture from `top` on, with a workspace of their own.
+fn trace_band<S: Scalar>(
+    view: &View<S>,
+    settings: Settings<S>,
+    [columns, rows]: [u32; 2],
+    top: u32,
+    row_done: impl Fn(u32),
+) -> Result<Film<S>, RenderError> {
     let mut workspace = Workspace::<S, [u8; 2], 0, MAX_DEPTH>::new();
     let canvas = Size::new(columns, rows);
     let mut renderer = Renderer::new(&view.scene, &view.camera, canvas, settings, &mut workspace)?;
+    let band = top..rows.min(top + BAND);
+    let mut light = Vec::with_capacity(columns as usize * band.len());
     let mut rays = RayCounts::default();
-    let mut light = Vec::new();
-    for y in 0..rows {
+    for y in band.clone() {
         // The row exists: `y` is below the height the renderer was made with.
         let _ = renderer.trace_row(y, 0..columns, &mut rays, |_, color| light.push(color));
         row_done(y);
     }
-    Ok(Film { size, light, rays })
+    Ok(Film { size: [columns, band.len() as u32], light, rays })
 }
 
-impl<S: Scalar> Film<S> {
+impl<S: Scalar + Sync> Film<S> {
     /// Encodes the light for a panel as the core does and answers what the panel shows, in 8 bits
     /// a channel.
     pub fn on_panel(&self, panel: Panel, transfer: Transfer, dither: Dither) -> Vec<[u8; 3]> {
@@ -56,6 +95,6 @@ impl<S: Scalar> Film<S> {
         let pixel = |(i, light): (usize, &Rgb<S>)| {
             panel.show(*light, transfer, dither, (i % columns) as u32, (i / columns) as u32)
         };
-        self.light.iter().enumerate().map(pixel).collect()
+        self.light.par_iter().enumerate().map(pixel).collect()
     }
 }

@@ -60,7 +60,7 @@ fn typos(from: &str, to: &str) -> usize {
 }
 
 /// Is a number that the core draws the gallery in.
-pub trait HostNumber: Scalar {
+pub trait HostNumber: Scalar + Send + Sync {
     /// Answers the scene in this number.
     fn view(entry: &Entry) -> &'static View<Self>;
 

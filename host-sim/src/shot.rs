@@ -101,7 +101,7 @@ impl Shot {
     ///
     /// # Errors
     /// What keeps it from being drawn.
-    pub fn take(&self, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+    pub fn take(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
         match self.number {
             Number::F32 => self.take_in::<f32>(row_done),
             Number::Fixed => self.take_in::<Fixed>(row_done),
@@ -114,7 +114,7 @@ impl Shot {
     ///
     /// # Errors
     /// What keeps it from being drawn.
-    pub fn reference(&self, row_done: impl FnMut(u32)) -> Result<Comparison, Refusal> {
+    pub fn reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Comparison, Refusal> {
         let view = self.view::<f64>();
         // The reference leaves the check of what it is given to the core.
         view.scene.check().map_err(RenderError::from)?;
@@ -136,7 +136,7 @@ impl Shot {
         view
     }
 
-    fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+    fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
         let view = self.view::<S>();
         let begin = Instant::now();
         let film: Film<S> = picture::trace(&view, view.settings, self.size, row_done)?;
@@ -145,7 +145,7 @@ impl Shot {
         Ok(Taken { picture: Picture { size: self.size, pixels }, rays: Some(film.rays), time })
     }
 
-    fn take_reference(&self, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+    fn take_reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
         let begin = Instant::now();
         let reference = self.reference(row_done)?;
         let time = begin.elapsed();

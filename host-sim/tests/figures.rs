@@ -3,6 +3,7 @@
 use host_sim::compare::{Comparison, Figures, Subject};
 use host_sim::panel::Panel;
 use host_sim::picture::{Film, trace};
+use host_sim::scenes::HostNumber;
 use scanray::Fixed;
 use scanray::gallery::{Gallery, View};
 use std::sync::LazyLock;
@@ -15,11 +16,11 @@ static COMPARISONS: LazyLock<Vec<Comparison>> = LazyLock::new(|| {
     f64::views().iter().map(compare).collect::<Result<_, _>>().expect("the reference knows the gallery")
 });
 
-fn film<S: Gallery>(view: &View<S>) -> Film<S> {
+fn film<S: Gallery + HostNumber>(view: &View<S>) -> Film<S> {
     trace(view, view.settings, view.size, |_| {}).expect("the gallery can be drawn")
 }
 
-fn figures<S: Gallery>(number: &str) -> Vec<Figures> {
+fn figures<S: Gallery + HostNumber>(number: &str) -> Vec<Figures> {
     let figure = |(view, comparison): (&View<S>, &Comparison)| {
         let subject = Subject { scene: view.name, number, panel: Panel::Rgb888 };
         let figures = comparison.figures(subject, &film(view));
@@ -30,7 +31,7 @@ fn figures<S: Gallery>(number: &str) -> Vec<Figures> {
 }
 
 #[track_caller]
-fn assert_figures<S: Gallery>(number: &str, least_db: f64, most_over_8: f64) {
+fn assert_figures<S: Gallery + HostNumber>(number: &str, least_db: f64, most_over_8: f64) {
     for figures in figures::<S>(number) {
         assert!(figures.psnr_db >= least_db, "{figures:?}");
         assert!(figures.over_8 <= most_over_8, "{figures:?}");

@@ -5,16 +5,17 @@ mod reference_recipe;
 use host_sim::compare::{Comparison, Figures, Subject};
 use host_sim::panel::Panel;
 use host_sim::picture::{Film, trace};
+use host_sim::scenes::HostNumber;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use reference_recipe::{Recipe, recipe};
+use scanray::Fixed;
 use scanray::gallery::View;
-use scanray::{Fixed, Scalar};
 
 const SIZE: [u32; 2] = [40, 30];
 
 /// Answers a picture, or nothing if the number cannot hold the scene.
-fn film<S: Scalar>(view: &View<S>) -> Option<Film<S>> {
+fn film<S: HostNumber>(view: &View<S>) -> Option<Film<S>> {
     trace(view, view.settings, SIZE, |_| {}).ok()
 }
 
@@ -23,7 +24,7 @@ fn comparison(recipe: &Recipe) -> Comparison {
     Comparison::trace(&view, view.settings, SIZE, |_| {}).expect("the reference knows the recipe's things")
 }
 
-fn figures<S: Scalar>(recipe: &Recipe, number: fn(f64) -> S, name: &str) -> Option<Figures> {
+fn figures<S: HostNumber>(recipe: &Recipe, number: fn(f64) -> S, name: &str) -> Option<Figures> {
     let view = recipe.view(number);
     let subject = Subject { scene: view.name, number: name, panel: Panel::Rgb888 };
     Some(comparison(recipe).figures(subject, &film(&view)?))

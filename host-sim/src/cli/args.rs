@@ -8,6 +8,7 @@ use crate::turn::Turn;
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scanray::Transfer;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 /// Is the longest side of a picture the command takes: no display of the field is larger.
@@ -43,6 +44,8 @@ pub(super) enum Command {
     Compare(CompareArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
+    /// Measure the core against renderers nobody here wrote: povray and tachyon
+    Race(RaceArgs),
     /// Name the scenes of the gallery
     List,
 }
@@ -58,6 +61,9 @@ pub(super) struct RenderArgs {
     /// File to write the picture to [default: SCENE.png in the current directory]
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
+    /// Threads that trace it; any number draws the same picture [default: one for each core]
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
     /// Show the picture in the terminal even where a window could be opened
     #[arg(long)]
     pub no_window: bool,
@@ -131,6 +137,20 @@ pub(super) struct BenchArgs {
     /// Keep the rows in host-sim/bench.json, by which later ones are judged
     #[arg(long)]
     pub update: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray race\n  \
+    scanray race --size 640x480 --runs 3\n\n\
+    It needs the programs of Debian's packages povray and tachyon.")]
+pub(super) struct RaceArgs {
+    /// Columns and rows of the pictures that are timed
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x960")]
+    pub size: [u32; 2],
+    /// How often each program draws each picture; the fastest run counts
+    #[arg(long, value_name = "N", default_value = "5")]
+    pub runs: NonZeroUsize,
 }
 
 /// Is what a picture is to look like.

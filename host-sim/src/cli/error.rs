@@ -1,6 +1,8 @@
 use crate::bench::Failure;
+use crate::race;
 use crate::scenes;
 use crate::shot::Refusal;
+use rayon::ThreadPoolBuildError;
 use std::path::PathBuf;
 use std::{fmt, io};
 
@@ -16,6 +18,10 @@ pub enum Error {
     Render(Refusal),
     /// Something cannot be measured.
     Bench(Failure),
+    /// The system starts no threads, or not so many.
+    Threads(ThreadPoolBuildError),
+    /// A race cannot be run.
+    Race(race::Fault),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -49,6 +55,10 @@ impl fmt::Display for Error {
             ),
             Self::Render(error) => write!(f, "the picture cannot be drawn: {error}."),
             Self::Bench(failure) => write!(f, "{failure}"),
+            Self::Threads(error) => {
+                write!(f, "there are no such threads: {error}.\n`--threads 1` asks for no more than one.")
+            }
+            Self::Race(fault) => write!(f, "there is no race: {fault}"),
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -83,6 +93,18 @@ impl From<Refusal> for Error {
 impl From<Failure> for Error {
     fn from(failure: Failure) -> Self {
         Self::Bench(failure)
+    }
+}
+
+impl From<ThreadPoolBuildError> for Error {
+    fn from(error: ThreadPoolBuildError) -> Self {
+        Self::Threads(error)
+    }
+}
+
+impl From<race::Fault> for Error {
+    fn from(fault: race::Fault) -> Self {
+        Self::Race(fault)
     }
 }
 

@@ -6,6 +6,7 @@ mod compare;
 mod error;
 mod list;
 mod progress;
+mod race;
 mod render;
 mod report;
 
@@ -61,6 +62,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Show(args) => render::show(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
+        Command::Race(args) => race::run(args, &mut out)?,
         Command::List => list::run(&mut out)?,
     }
     Ok(out.flush()?)

@@ -2,6 +2,7 @@ use super::args::{RenderArgs, ShowArgs};
 use super::progress::Progress;
 use super::{Error, report};
 use crate::compare::Comparison;
+use crate::picture;
 use crate::png;
 use crate::shot::{Number, Picture, Shot, Taken};
 use crate::show;
@@ -12,7 +13,7 @@ use std::path::PathBuf;
 /// Draws a scene, writes it to a file, tells what it took and shows it.
 pub(super) fn run(args: &RenderArgs, out: &mut impl Write) -> Result<(), Error> {
     let shot = args.look.shot()?;
-    let taken = take(&shot)?;
+    let taken = picture::pool(args.threads)?.install(|| take(&shot))?;
     let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", shot.scene.name())));
     png::write(&path, &taken.picture).map_err(|error| Error::Write(path.clone(), error))?;
     let windowed = !args.no_window && is_attended() && show::has_display();

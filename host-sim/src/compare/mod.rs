@@ -58,7 +58,7 @@ impl Comparison {
     /// Judges what a panel shows of the core's picture.
     ///
     /// The film has the size of the reference.
-    pub fn figures<S: Scalar>(&self, subject: Subject<'_>, film: &Film<S>) -> Figures {
+    pub fn figures<S: Scalar + Sync>(&self, subject: Subject<'_>, film: &Film<S>) -> Figures {
         let shown = film.on_panel(subject.panel, self.transfer, self.dither);
         Figures::of(subject, &shown, &self.on_panel(subject.panel), &self.mask)
     }
