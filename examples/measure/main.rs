@@ -1,8 +1,7 @@
 //! Firmware: a Cortex-M renders one scene and says what it costs; `cargo sim bench` builds, runs and tabulates it.
 //!
-//! The scene and the size of the picture are chosen when it is built, by the environment variables `SCANRAY_SCENE` and
-//! `SCANRAY_SIZE`, so that the image holds that scene alone. With a floating-point unit the number is `f32`, without
-//! one it is fixed point.
+//! The scene is chosen when it is built, by the environment variable `SCANRAY_SCENE`, so that the image holds that scene
+//! alone. With a floating-point unit the number is `f32`, without one it is fixed point.
 //!
 //! There is no panel: rows go into a buffer, as for a display that is fed by DMA. Everything is said by semihosting.
 #![cfg_attr(target_os = "none", no_std, no_main)]

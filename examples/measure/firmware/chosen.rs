@@ -1,4 +1,4 @@
-//! What was chosen when the firmware was built: scene, size and number.
+//! What is chosen when the firmware is built: scene and number.
 
 use scanray::gallery::View;
 
@@ -15,25 +15,19 @@ pub type Number = f32;
 pub type Number = scanray::Fixed;
 
 /// Is the scene's name.
-const SCENE: &str = or(option_env!("SCANRAY_SCENE"), "three-spheres");
-/// Is the picture's size, such as `320x240`.
-const SIZE: &str = or(option_env!("SCANRAY_SIZE"), "320x240");
+const SCENE: &str = match option_env!("SCANRAY_SCENE") {
+    Some(scene) => scene,
+    None => "three-spheres",
+};
 
 /// Is the scene with its camera and settings.
 pub static VIEW: View<Number> = find(&number::VIEWS, SCENE);
 /// Counts the bounces that the scene's rays may take.
 pub const DEPTH: usize = find(&number::VIEWS, SCENE).settings.depth as usize;
 /// Counts the picture's columns.
-pub const WIDTH: u32 = sides(SIZE)[0];
+pub const WIDTH: u32 = 320;
 /// Counts the picture's rows.
-pub const HEIGHT: u32 = sides(SIZE)[1];
-
-const fn or(chosen: Option<&'static str>, usual: &'static str) -> &'static str {
-    match chosen {
-        Some(chosen) => chosen,
-        None => usual,
-    }
-}
+pub const HEIGHT: u32 = 240;
 
 const fn find(views: &'static [View<Number>], name: &str) -> View<Number> {
     let mut i = 0;
@@ -50,17 +44,4 @@ const fn same(a: &[u8], b: &[u8]) -> bool {
         i += 1;
     }
     i == a.len() && i == b.len()
-}
-
-/// Answers the two numbers of a size.
-const fn sides(size: &str) -> [u32; 2] {
-    let (bytes, mut sides, mut side, mut i) = (size.as_bytes(), [0; 2], 0, 0);
-    while i < bytes.len() {
-        match bytes[i] {
-            b'x' => side += 1,
-            digit => sides[side] = 10 * sides[side] + (digit - b'0') as u32,
-        }
-        i += 1;
-    }
-    sides
 }

@@ -32,17 +32,23 @@ impl Said {
 }
 
 /// Answers QEMU with an image on the board of a chip, its firmware's words on standard output.
-pub fn qemu(chip: &Chip, image: &Image) -> Command {
+///
+/// The firmware renders each `stride`th row: that is the last word of its command line.
+pub fn qemu(chip: &Chip, image: &Image, stride: u32) -> Command {
     let mut qemu = Command::new(QEMU);
     qemu.args(["-M", chip.machine, "-display", "none", "-serial", "none", "-monitor", "none", "-no-reboot"])
-        .args(["-semihosting-config", "enable=on,target=native,arg=measure,arg=1", "-kernel"])
+        .args([
+            "-semihosting-config",
+            &format!("enable=on,target=native,arg=measure,arg={stride}"),
+            "-kernel",
+        ])
         .arg(&image.path);
     qemu
 }
 
 /// Runs the image and counts instructions: with `shift=0` each takes a nanosecond of the board's time.
 pub fn count_instructions(chip: &Chip, image: &Image) -> Result<Said, Failure> {
-    listen(QEMU, qemu(chip, image).args(["-icount", "shift=0"]))
+    listen(QEMU, qemu(chip, image, 1).args(["-icount", "shift=0"]))
 }
 
 /// Runs each `stride`th row of the image on the emulated RP2040, which counts cycles.

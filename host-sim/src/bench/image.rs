@@ -4,8 +4,10 @@ use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Takes the place of the target's own link arguments: every core has the memory of the same board.
-const LINK: &str = "-C link-arg=--nmagic -C link-arg=-Texamples/boards/mps2_an386.ld";
+/// Takes the place of the target's own flags: every core has the memory of the same board, and names of functions keep
+/// their type parameters, which changes no instruction.
+const FLAGS: &str =
+    "-C link-arg=--nmagic -C link-arg=-Texamples/boards/mps2_an386.ld -C symbol-mangling-version=v0";
 
 /// Is an image of the measuring firmware.
 #[derive(Debug)]
@@ -36,16 +38,15 @@ struct Built {
 
 impl Image {
     /// Builds the image of a scene for a chip.
-    pub fn build(chip: &Chip, scene: &str, [width, height]: [u32; 2]) -> Result<Self, Failure> {
+    pub fn build(chip: &Chip, scene: &str) -> Result<Self, Failure> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
             .args(["--example", "measure", "--target", chip.target])
             .current_dir(project())
-            .env("RUSTFLAGS", LINK)
+            .env("RUSTFLAGS", FLAGS)
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
             .env("SCANRAY_SCENE", scene)
-            .env("SCANRAY_SIZE", format!("{width}x{height}"))
             .output()
             .map_err(|error| Failure::Start("cargo", error))?;
         let messages = String::from_utf8_lossy(&output.stdout);

@@ -10,6 +10,7 @@ mod image;
 #[path = "../../../examples/measure/mode.rs"]
 mod mode;
 mod peers;
+mod profile;
 mod row;
 mod snapshot;
 mod table;
@@ -17,6 +18,7 @@ mod truth;
 
 pub use chip::{CHIPS, Chip};
 pub use failure::Failure;
+pub use profile::{Profile, profile, report};
 pub use row::Row;
 pub use snapshot::{Snapshot, WORST_PSNR};
 pub use table::table;
@@ -77,7 +79,7 @@ pub fn measure(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Ro
 fn measure_on(chip: &Chip, truth: &Truth, begin: &mut dyn FnMut(&str)) -> Result<Vec<Row>, Failure> {
     let scene = truth.scene.name();
     begin("building");
-    let image = Image::build(chip, scene, SIZE)?;
+    let image = Image::build(chip, scene)?;
     let sizes = image.sizes()?;
     begin("counting instructions");
     let said = emulator::count_instructions(chip, &image)?;

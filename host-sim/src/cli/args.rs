@@ -120,7 +120,8 @@ pub(super) struct CompareArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     scanray bench\n  \
-    scanray bench --scene c-ray --chip m3\n\n\
+    scanray bench --scene c-ray --chip m3\n  \
+    scanray bench --profile --scene playdate --chip m0+\n\n\
     It builds firmware from the sources of this project, for the targets thumbv6m-none-eabi,\n\
     thumbv7m-none-eabi and thumbv7em-none-eabihf, and needs qemu-system-arm; the cycles of the m0+\n\
     need Node.js and `npm ci --prefix host-sim/boards`.")]
@@ -134,6 +135,9 @@ pub(super) struct BenchArgs {
     /// Print the rows as JSON and nothing else
     #[arg(long)]
     pub json: bool,
+    /// Tell where the instructions go instead: by stage, shape and function
+    #[arg(long, conflicts_with_all = ["json", "update"])]
+    pub profile: bool,
     /// Keep the rows in host-sim/bench.json, by which later ones are judged
     #[arg(long)]
     pub update: bool,

@@ -3,14 +3,16 @@ use super::args::{BenchArgs, scene};
 use crate::bench::{self, Choice, Snapshot};
 use std::io::Write;
 
-/// Measures scenes on emulated chips, prints a table and keeps it if asked to.
+/// Measures scenes on emulated chips, prints a table or a profile.
 pub(super) fn run(args: &BenchArgs, out: &mut impl Write) -> Result<(), Error> {
     let name = args.scene.as_deref().map(scene).transpose()?.map(|entry| entry.name());
     let choice = Choice { scene: name, chip: args.chip };
-    let rows = bench::measure(choice, |what| {
-        // Nobody may be there to be told; that stops nothing.
-        let _ = writeln!(std::io::stderr(), "{what}");
-    })?;
+    if args.profile {
+        let profiles = bench::profile(choice, tell)?;
+        let text: String = profiles.iter().map(bench::report).collect();
+        return Ok(out.write_all(text.as_bytes())?);
+    }
+    let rows = bench::measure(choice, tell)?;
     if args.json {
         let text = serde_json::to_string_pretty(&rows).map_err(std::io::Error::from)?;
         writeln!(out, "{text}")?;
@@ -22,7 +24,12 @@ pub(super) fn run(args: &BenchArgs, out: &mut impl Write) -> Result<(), Error> {
         let mut kept = Snapshot::read().unwrap_or_default();
         kept.update(&rows);
         let path = kept.write()?;
-        let _ = writeln!(std::io::stderr(), "kept in {}", path.display());
+        tell(&format!("kept in {}", path.display()));
     }
     Ok(())
+}
+
+/// Tells what is at work; if nobody is there to be told, that stops nothing.
+fn tell(what: &str) {
+    let _ = writeln!(std::io::stderr(), "{what}");
 }

@@ -1,0 +1,96 @@
+//! Where the instructions go: an exact count of every executed address, by stage, shape and function.
+//!
+//! QEMU logs each instruction of the very image that the bench measures, so that nothing is perturbed; the image's debug
+//! information tells which functions an address belongs to, inlined ones and callers included.
+
+mod calls;
+mod report;
+mod stage;
+mod symbols;
+mod trace;
+
+pub use report::report;
+
+use super::emulator::{self, Said};
+use super::image::Image;
+use super::{Chip, Choice, Failure, SIZE, truth};
+use calls::Counts;
+use stage::{Shape, Stage};
+use std::collections::BTreeMap;
+use symbols::Symbols;
+
+/// Says where a picture's instructions go.
+#[derive(Debug)]
+pub struct Profile {
+    /// What was profiled: scene, chip, number and mode.
+    pub of: String,
+    /// How many rows of the picture were.
+    pub rows: u32,
+    /// Pixels of these rows.
+    pub pixels: u64,
+    /// Instructions by stage.
+    pub stages: BTreeMap<Stage, u64>,
+    /// Instructions by shape, in whichever stage.
+    pub shapes: BTreeMap<Shape, u64>,
+    /// Instructions by function of the core, and by the compiler's helpers for arithmetic.
+    pub functions: BTreeMap<String, u64>,
+}
+
+/// Profiles what is chosen; `begin` is told what is at work.
+///
+/// # Errors
+/// What keeps an image from being built or run.
+pub fn profile(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Profile>, Failure> {
+    let mut profiles = vec![];
+    for scene in choice.scenes() {
+        for chip in choice.chips() {
+            begin(&format!("{} on {}: tracing", scene.name(), chip.name));
+            profiles.extend(profile_on(chip, scene.name())?);
+        }
+    }
+    Ok(profiles)
+}
+
+fn profile_on(chip: &Chip, scene: &str) -> Result<Vec<Profile>, Failure> {
+    let image = Image::build(chip, scene)?;
+    let file = image.read()?;
+    let symbols = Symbols::read(&image.path, &file)?;
+    let modes: Vec<&str> = truth::mode_names().collect();
+    let stride = stride(&emulator::count_instructions(chip, &image)?, &modes)?;
+    let counts = trace::trace(chip, &image, &symbols, stride, modes.len())?;
+    let name = |mode| format!("{scene} on {} in {}, {mode}", chip.name, chip.number.name());
+    Ok(modes.iter().zip(counts).map(|(mode, counts)| gather(name(mode), &counts, &symbols, stride)).collect())
+}
+
+/// Answers how many rows to leave out between two, lest the log have more lines than one likes to wait for.
+fn stride(said: &Said, modes: &[&str]) -> Result<u32, Failure> {
+    const LINES: u64 = 20_000_000;
+    /// Ten rows tell enough of a picture.
+    const MOST: u32 = SIZE[1] / 10;
+    let mut instructions = 0;
+    for mode in modes {
+        instructions += said.count(mode)?;
+    }
+    Ok((instructions.div_ceil(LINES) as u32).clamp(1, MOST))
+}
+
+/// Sorts counts by what their addresses belong to.
+fn gather(of: String, counts: &Counts, symbols: &Symbols<'_>, stride: u32) -> Profile {
+    let rows = SIZE[1].div_ceil(stride);
+    let pixels = u64::from(rows) * u64::from(SIZE[0]);
+    let (mut stages, mut shapes, mut functions) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+    let mut known: BTreeMap<u32, Vec<String>> = BTreeMap::new();
+    for (sites, count) in counts.by_sites() {
+        for site in &sites {
+            known.entry(*site).or_insert_with(|| symbols.frames(*site));
+        }
+        let frames = sites.iter().filter_map(|site| known.get(site)).flatten();
+        let frames: Vec<&str> = frames.map(String::as_str).collect();
+        *stages.entry(Stage::of(&frames)).or_default() += count;
+        if let Some(shape) = Shape::of(&frames) {
+            *shapes.entry(shape).or_default() += count;
+        }
+        *functions.entry(stage::telling(&frames)).or_default() += count;
+    }
+    Profile { of, rows, pixels, stages, shapes, functions }
+}
