@@ -5,7 +5,7 @@ use scanray::{Fixed, Workspace};
 
 /// Is the formula of the documentation.
 const fn formula(width: usize, color: usize) -> usize {
-    width * color + 1232
+    width * color + 1280
 }
 
 #[test]

@@ -9,18 +9,18 @@ use crate::trace::{Packet, Vicinities};
 /// most
 ///
 /// ```text
-/// WIDTH * size_of::<C>() + 1232 bytes
+/// WIDTH * size_of::<C>() + 1280 bytes
 /// ```
 ///
 /// on a device with 32-bit addresses, in `f32` and in fixed point: eight rays on their way take
-/// 704, the spans of a row 384, and what is remembered of shadows 144. A `WIDTH` of 0 serves those
+/// 704, the spans of a row 384, and what is remembered of shadows 192. A `WIDTH` of 0 serves those
 /// who only call [`Renderer::render_row`](crate::Renderer::render_row) with buffers of their own.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb565;
 /// use scanray::Workspace;
 /// static WORKSPACE: Workspace<f32, Rgb565, 320, 5> = Workspace::new();
-/// assert!(size_of_val(&WORKSPACE) <= 320 * 2 + 1232);
+/// assert!(size_of_val(&WORKSPACE) <= 320 * 2 + 1280);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Workspace<S: Scalar, C, const WIDTH: usize, const DEPTH: usize> {

@@ -16,7 +16,7 @@ impl<S: Scalar> Query<S> {
     /// Asks all objects.
     #[inline(never)]
     pub fn is_blocked<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> bool {
-        self.blocker(scene, u32::MAX).is_some()
+        (0..scene.objects.len()).any(|index| self.is_blocked_by(scene, index))
     }
 
     /// Asks the objects of a vicinity, the last blocker first, for shadows are wider than a pixel.
@@ -26,33 +26,39 @@ impl<S: Scalar> Query<S> {
         scene: &Scene<'_, S, X>,
         vicinity: &mut Vicinity<S>,
     ) -> bool {
-        let mut blockers = vicinity.blockers;
         let last = usize::from(vicinity.last);
-        if last < NOTED && blockers >> last & 1 == 1 {
-            if self.is_blocked_by(scene, last) {
-                return true;
-            }
-            blockers &= !(1 << last);
+        let word = vicinity.blockers.get(last / 32);
+        let near = word.is_some_and(|word| word >> (last % 32) & 1 == 1);
+        if near && self.is_blocked_by(scene, last) {
+            return true;
         }
-        let blocker = self.blocker(scene, blockers);
+        let blocker = self.blocker(scene, vicinity, if near { last } else { usize::MAX });
         if let Some(index) = blocker {
             vicinity.last = u16::try_from(index).unwrap_or(u16::MAX);
         }
         blocker.is_some()
     }
 
-    /// Finds an object that blocks, among those whose bit is set and those that have none.
-    fn blocker<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>, mut blockers: u32) -> Option<usize> {
-        let noted = scene.objects.len().min(NOTED);
-        let mut index = 0;
-        while blockers != 0 && index < noted {
-            if blockers & 1 == 1 && self.is_blocked_by(scene, index) {
-                return Some(index);
+    /// Finds an object that blocks, among those of the vicinity and those that are never noted;
+    /// one is left out.
+    fn blocker<X: Intersect<S>>(
+        &self,
+        scene: &Scene<'_, S, X>,
+        vicinity: &Vicinity<S>,
+        but: usize,
+    ) -> Option<usize> {
+        let words = vicinity.blockers.iter().take(usize::from(vicinity.words));
+        for (first, word) in (0..).step_by(32).zip(words) {
+            let (mut bits, mut index) = (*word, first);
+            while bits != 0 {
+                if bits & 1 == 1 && index != but && self.is_blocked_by(scene, index) {
+                    return Some(index);
+                }
+                bits >>= 1;
+                index += 1;
             }
-            blockers >>= 1;
-            index += 1;
         }
-        (noted..scene.objects.len()).find(|index| self.is_blocked_by(scene, *index))
+        (NOTED..scene.objects.len()).find(|index| self.is_blocked_by(scene, *index))
     }
 
     fn is_blocked_by<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>, index: usize) -> bool {

@@ -14,7 +14,10 @@ use crate::scene::Scene;
 use crate::shape::Intersect;
 
 /// Is how many objects are noted one by one: those that follow may always block.
-pub(super) const NOTED: usize = u32::BITS as usize;
+pub(super) const NOTED: usize = 128;
+
+/// Is how many words of bits that takes.
+pub(super) const WORDS: usize = NOTED / 32;
 
 /// Is how many cubes are remembered, one a light.
 const PLACES: usize = 4;
@@ -36,10 +39,12 @@ pub(super) struct Vicinity<S: Scalar> {
     center: Vec3<S>,
     /// Half the side of the cube; below 0 for none.
     reach: S,
-    /// Whether all objects of the scene have a bit.
+    /// Whether no object of the scene is left out of those noted.
     all_noted: bool,
     /// Objects that may block, a bit each.
-    pub blockers: u32,
+    pub blockers: [u32; WORDS],
+    /// How many words have any bit set, those after the last one not counted.
+    pub words: u8,
     /// The object that blocked last.
     pub last: u16,
 }
@@ -50,7 +55,8 @@ impl<S: Scalar> Vicinity<S> {
         center: Vec3::ZERO,
         reach: S::FAR_BACK,
         all_noted: false,
-        blockers: 0,
+        blockers: [0; WORDS],
+        words: 0,
         last: u16::MAX,
     };
 
@@ -62,7 +68,7 @@ impl<S: Scalar> Vicinity<S> {
     /// Tells whether nothing but the object left can stand in the light.
     pub fn is_open(&self, from: Departure) -> bool {
         let left = if from.free { 1_u32.checked_shl(u32::from(from.index)).unwrap_or(0) } else { 0 };
-        self.blockers & !left == 0 && self.all_noted
+        self.all_noted && self.words <= 1 && self.blockers[0] & !left == 0
     }
 
     /// Lays the cube around a point. Rare, and kept out of the pixel's path.
@@ -74,7 +80,8 @@ impl<S: Scalar> Vicinity<S> {
         let Some(light) = scene.lights.get(usize::from(owner)) else { return };
         let blockers = Beam::new(point, reach, light).blockers(scene);
         let all_noted = scene.objects.len() <= NOTED;
-        *self = Self { owner, center: point, reach, all_noted, blockers, last: self.last };
+        let words = blockers.iter().rposition(|word| *word != 0).map_or(0, |last| last as u8 + 1);
+        *self = Self { owner, center: point, reach, all_noted, blockers, words, last: self.last };
     }
 }
 
@@ -139,9 +146,14 @@ impl<S: Scalar> Beam<S> {
     }
 
     /// Answers the objects that reach into the beam, a bit each.
-    fn blockers<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> u32 {
-        let bits = scene.objects.iter().take(NOTED).enumerate();
-        bits.fold(0, |bits, (index, object)| bits | u32::from(self.meets(&object.shape.hull())) << index)
+    fn blockers<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> [u32; WORDS] {
+        let mut words = [0; WORDS];
+        for (word, objects) in words.iter_mut().zip(scene.objects.chunks(32)) {
+            let bits = objects.iter().enumerate();
+            *word =
+                bits.fold(0, |word, (bit, object)| word | u32::from(self.meets(&object.shape.hull())) << bit);
+        }
+        words
     }
 
     fn meets(&self, hull: &Hull<S>) -> bool {
