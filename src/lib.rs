@@ -91,7 +91,7 @@ pub use light::Light;
 pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
-pub use render::{RenderError, Renderer, RowError, Settings, Workspace};
+pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{Cuboid, Intersect, Plane, Shape, Sphere, Triangle};
 pub use texture::{Checker, Texture};

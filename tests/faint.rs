@@ -80,8 +80,11 @@ macro_rules! channels {
         struct $name($color);
         impl Encode for $name {
             const DARKEST: Self = Self(<$color as Encode>::DARKEST);
-            fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
-                Self(<$color>::encode(light, quantizer))
+            fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
+                <$color>::levels(light, transfer)
+            }
+            fn from_levels(levels: [u32; 3], threshold: u32) -> Self {
+                Self(<$color>::from_levels(levels, threshold))
             }
         }
         impl From<$name> for [u8; 3] {

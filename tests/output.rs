@@ -99,3 +99,29 @@ fn bus_bytes_are_the_colour_with_the_high_byte_first() {
     let light = Rgb::new(Fixed::new(1.0), Fixed::new(0.0), Fixed::new(1.0 / 31.0));
     assert_eq!(<[u8; 2]>::from_light(light, quantizer), [0b1111_1000, 0b0000_0001]);
 }
+
+#[test]
+fn a_colour_is_the_rounding_of_its_levels() {
+    fn check<C: Encode + PartialEq + core::fmt::Debug>() {
+        for light in (0..1 << 25).step_by(9973).map(|n| [n, n / 2, (1 << 24) - n / 3]) {
+            for transfer in [Transfer::Srgb, Transfer::Linear] {
+                let levels = C::levels(light, transfer);
+                for threshold in [0, 1 << 9, 1 << 15, u16::MAX] {
+                    let color = C::from_levels(levels, u32::from(threshold));
+                    assert_eq!(
+                        C::encode(light, Quantizer::of_threshold(transfer, threshold)),
+                        color,
+                        "{light:?}"
+                    );
+                }
+            }
+        }
+    }
+    check::<Rgb565>();
+    check::<Rgb666>();
+    check::<Rgb888>();
+    check::<Gray8>();
+    check::<Gray4>();
+    check::<BinaryColor>();
+    check::<[u8; 2]>();
+}

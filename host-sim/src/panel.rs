@@ -33,6 +33,53 @@ fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
     [spread(color.r(), C::MAX_R), spread(color.g(), C::MAX_G), spread(color.b(), C::MAX_B)]
 }
 
+/// Is a panel's colour, which can be shown in 8 bits a channel.
+pub trait Shown: Encode {
+    /// Answers what it looks like.
+    fn shown(self) -> [u8; 3];
+}
+
+macro_rules! shown {
+    ($($color:ty: $self:ident => $shown:expr;)*) => {
+        $(impl Shown for $color {
+            fn shown($self) -> [u8; 3] {
+                $shown
+            }
+        })*
+    };
+}
+
+shown! {
+    Rgb565: self => rgb(self);
+    Rgb666: self => rgb(self);
+    Rgb888: self => rgb(self);
+    Gray8: self => [self.luma(); 3];
+    Gray4: self => [spread(self.luma(), 15); 3];
+    BinaryColor: self => [spread(self.is_on() as u8, 1); 3];
+}
+
+/// Calls the same function for whichever panel's colour it is.
+macro_rules! in_color_of {
+    ($panel:expr, $color:ident => $call:expr) => {{
+        use embedded_graphics_core::pixelcolor as colors;
+        use $crate::panel::Panel;
+        match $panel {
+            Panel::Rgb565 => in_color_of!(@ $color = colors::Rgb565, $call),
+            Panel::Rgb666 => in_color_of!(@ $color = colors::Rgb666, $call),
+            Panel::Rgb888 => in_color_of!(@ $color = colors::Rgb888, $call),
+            Panel::Gray8 => in_color_of!(@ $color = colors::Gray8, $call),
+            Panel::Gray4 => in_color_of!(@ $color = colors::Gray4, $call),
+            Panel::Mono => in_color_of!(@ $color = colors::BinaryColor, $call),
+        }
+    }};
+    (@ $color:ident = $type:ty, $call:expr) => {{
+        type $color = $type;
+        $call
+    }};
+}
+
+pub(crate) use in_color_of;
+
 impl Panel {
     /// Lists all panels.
     pub const ALL: [Self; 6] =
@@ -60,13 +107,6 @@ impl Panel {
         y: u32,
     ) -> [u8; 3] {
         let quantizer = Quantizer::new(transfer, dither, x, y);
-        match self {
-            Self::Rgb565 => rgb(Rgb565::from_light(light, quantizer)),
-            Self::Rgb666 => rgb(Rgb666::from_light(light, quantizer)),
-            Self::Rgb888 => rgb(Rgb888::from_light(light, quantizer)),
-            Self::Gray8 => [Gray8::from_light(light, quantizer).luma(); 3],
-            Self::Gray4 => [spread(Gray4::from_light(light, quantizer).luma(), 15); 3],
-            Self::Mono => [spread(BinaryColor::from_light(light, quantizer).is_on() as u8, 1); 3],
-        }
+        in_color_of!(self, Color => Color::from_light(light, quantizer).shown())
     }
 }

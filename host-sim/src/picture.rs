@@ -1,10 +1,10 @@
 //! Pictures as the core makes them: linear light of every pixel, and the same on a panel.
 
-use crate::panel::Panel;
+use crate::panel::{Panel, Shown, in_color_of};
 use scanray::gallery::View;
 use scanray::math::Scalar;
 use scanray::trace::RayCounts;
-use scanray::{Dither, RenderError, Renderer, Rgb, Settings, Transfer, Workspace};
+use scanray::{Dither, Encode, Quality, RenderError, Renderer, Rgb, Settings, Transfer, Workspace};
 
 use embedded_graphics_core::geometry::Size;
 use rayon::prelude::*;
@@ -85,6 +85,51 @@ fn trace_band<S: Scalar>(
         row_done(y);
     }
     Ok(Film { size: [columns, band.len() as u32], light, rays })
+}
+
+/// Is what a panel shows of a picture that was drawn for it, with what it took.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// Red, green and blue of every pixel in 8 bits, row by row from the top.
+    pub pixels: Vec<[u8; 3]>,
+    /// Rays traced for it.
+    pub rays: RayCounts,
+}
+
+/// Draws a picture for a panel as a device does: rows of the panel's colours, in any quality.
+///
+/// # Errors
+/// What keeps the core from drawing the view.
+pub fn draw<S: Scalar>(
+    view: &View<S>,
+    settings: Settings<S, impl Quality>,
+    size: [u32; 2],
+    panel: Panel,
+    row_done: impl FnMut(u32),
+) -> Result<Drawn, RenderError> {
+    in_color_of!(panel, Color => draw_in(Color::DARKEST, view, settings, size, row_done))
+}
+
+fn draw_in<S: Scalar, C: Shown>(
+    darkest: C,
+    view: &View<S>,
+    settings: Settings<S, impl Quality>,
+    size: [u32; 2],
+    mut row_done: impl FnMut(u32),
+) -> Result<Drawn, RenderError> {
+    let [columns, rows] = size;
+    let mut workspace = Workspace::<S, C, 0, MAX_DEPTH>::new();
+    let canvas = Size::new(columns, rows);
+    let mut renderer = Renderer::new(&view.scene, &view.camera, canvas, settings, &mut workspace)?;
+    let mut row = vec![darkest; columns as usize];
+    let mut drawn = Drawn { pixels: Vec::new(), rays: RayCounts::default() };
+    for y in 0..rows {
+        // The row exists, and there is a place for each of its pixels.
+        let _ = renderer.watch_row(y, &mut row, &mut drawn.rays);
+        drawn.pixels.extend(row.iter().map(|color| color.shown()));
+        row_done(y);
+    }
+    Ok(drawn)
 }
 
 impl<S: Scalar + Sync> Film<S> {

@@ -2,13 +2,13 @@
 
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
-use crate::picture::{self, Film};
+use crate::picture;
 use crate::reference::Unknown;
 use crate::scenes::{Entry, HostNumber, camera_in};
 use crate::turn::Turn;
 use scanray::gallery::View;
 use scanray::trace::RayCounts;
-use scanray::{Camera, Fixed, RenderError, Transfer};
+use scanray::{Adaptive, Camera, Fixed, RenderError, Transfer};
 use std::fmt;
 use std::time::{Duration, Instant};
 
@@ -40,6 +40,15 @@ impl Number {
     }
 }
 
+/// Names how much of a picture is traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quality {
+    /// Every pixel.
+    Exact,
+    /// Not what lies between pixels that see the same.
+    Adaptive,
+}
+
 /// Is all that decides a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
@@ -59,6 +68,8 @@ pub struct Shot {
     pub depth: u8,
     /// How light becomes levels.
     pub transfer: Transfer,
+    /// How much of it is traced.
+    pub quality: Quality,
 }
 
 /// Is a picture as a panel shows it.
@@ -94,6 +105,7 @@ impl Shot {
             panel: Panel::Rgb565,
             depth: view.settings.depth,
             transfer: view.settings.transfer,
+            quality: Quality::Exact,
         }
     }
 
@@ -139,10 +151,16 @@ impl Shot {
     fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
         let view = self.view::<S>();
         let begin = Instant::now();
-        let film: Film<S> = picture::trace(&view, view.settings, self.size, row_done)?;
+        let drawn = match self.quality {
+            Quality::Exact => picture::draw(&view, view.settings, self.size, self.panel, row_done),
+            Quality::Adaptive => {
+                let settings = view.settings.with_quality(Adaptive);
+                picture::draw(&view, settings, self.size, self.panel, row_done)
+            }
+        }?;
         let time = begin.elapsed();
-        let pixels = film.on_panel(self.panel, self.transfer, view.settings.dither);
-        Ok(Taken { picture: Picture { size: self.size, pixels }, rays: Some(film.rays), time })
+        let picture = Picture { size: self.size, pixels: drawn.pixels };
+        Ok(Taken { picture, rays: Some(drawn.rays), time })
     }
 
     fn take_reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {

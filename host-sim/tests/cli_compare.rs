@@ -79,3 +79,19 @@ fn a_directory_for_the_pictures_is_made() {
     }
     std::fs::remove_dir_all(&desk).unwrap();
 }
+
+#[test]
+fn adaptive_pictures_are_compared_with_exact_ones_and_keep_the_promise() {
+    let arguments = "--all --number f32 --quality adaptive --panel rgb565 --size 320x240 --json";
+    let (text, files) = compare("adaptive", arguments);
+    let all: Vec<Value> = serde_json::from_str(&text).unwrap();
+    let names: Vec<_> = all.iter().map(|kept| kept["scene"].as_str().unwrap()).collect();
+    assert_eq!(names, f32::views().iter().map(|view| view.name).collect::<Vec<_>>());
+    for kept in &all {
+        let figure = |key: &str| kept[key].as_f64().unwrap();
+        assert!(figure("over_two_steps") <= 0.005 && figure("worst") <= 28.5 / 31.0, "{kept}");
+        assert!(figure("traced") < 0.5 && figure("traced") <= figure("rays"), "{kept}");
+    }
+    assert!(all.iter().any(|kept| kept["worst"].as_f64() > Some(0.0)), "{text}");
+    assert_eq!(files, []);
+}

@@ -57,7 +57,7 @@ pub struct Frame<S: Scalar> {
 type Window<S> = [S; 4];
 
 /// Makes a row's or column's number one whose double fits.
-fn index(n: u32) -> i32 {
+pub(super) fn index(n: u32) -> i32 {
     n.min(i16::MAX as u32) as i32
 }
 

@@ -1,4 +1,4 @@
-use super::Frame;
+use super::frame::{Frame, index};
 use crate::math::{Scalar, WideVec3};
 use crate::ray::{Interval, Ray};
 
@@ -38,6 +38,13 @@ impl<'f, S: Scalar> Row<'f, S> {
             row.advance();
         }
         row
+    }
+
+    /// Goes on to a column without making the rays before it; columns passed are not gone back to.
+    pub fn skip_to(&mut self, x: u32) {
+        while self.x < index(x) {
+            self.advance();
+        }
     }
 
     fn advance(&mut self) {

@@ -6,6 +6,7 @@ mod dither;
 mod encode;
 mod transfer;
 
-pub use dither::Dither;
+pub use dither::{Dither, Thresholds};
+pub(crate) use encode::light_bits;
 pub use encode::{Encode, Quantizer};
 pub use transfer::Transfer;

@@ -1,6 +1,8 @@
 //! Rendering: rows of rays into a scanline, scanlines into a display.
 
+mod adaptive;
 mod error;
+mod marks;
 mod picture;
 mod renderer;
 mod settings;
@@ -9,6 +11,6 @@ mod workspace;
 
 pub use error::{RenderError, RowError};
 pub use renderer::Renderer;
-pub use settings::Settings;
+pub use settings::{Adaptive, Exact, Quality, Settings};
 pub use spans::Spans;
 pub use workspace::Workspace;

@@ -1,5 +1,5 @@
 use super::picture::Picture;
-use super::{RenderError, RowError, Settings, Workspace};
+use super::{Exact, Quality, RenderError, RowError, Settings, Workspace};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::math::Scalar;
@@ -19,16 +19,17 @@ use embedded_graphics_core::primitives::Rectangle;
 /// Rows do not depend on each other: any row, or part of one, comes out the same whenever and in
 /// whatever order it is asked for.
 #[derive(Debug)]
-pub struct Renderer<'a, 'w, S: Scalar, C, const WIDTH: usize, const DEPTH: usize, X = Infallible> {
-    picture: Picture<'a, S, X>,
+pub struct Renderer<'a, 'w, S: Scalar, C, const WIDTH: usize, const DEPTH: usize, X = Infallible, Q = Exact> {
+    picture: Picture<'a, S, X, Q>,
     workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
 }
 
-impl<'a, 'w, S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'a, 'w, S, C, WIDTH, DEPTH, X>
+impl<'a, 'w, S, C, const WIDTH: usize, const DEPTH: usize, X, Q> Renderer<'a, 'w, S, C, WIDTH, DEPTH, X, Q>
 where
     S: Scalar,
     C: Encode,
     X: Intersect<S>,
+    Q: Quality,
 {
     /// Makes a renderer for pictures of one size.
     ///
@@ -39,7 +40,7 @@ where
         scene: &Scene<'a, S, X>,
         camera: &Camera<S>,
         size: Size,
-        settings: Settings<S>,
+        settings: Settings<S, Q>,
         workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
     ) -> Result<Self, RenderError> {
         scene.check()?;
@@ -74,7 +75,8 @@ where
 
     /// Traces the pixels `columns` of row `y` and hands each its linear light, left to right.
     ///
-    /// Columns beyond the picture are left out.
+    /// Columns beyond the picture are left out. Every pixel is traced, whatever the quality: pixels are
+    /// filled in on their way to a panel, in its levels.
     ///
     /// # Errors
     /// [`RowError::NoSuchRow`] below the picture.
@@ -102,12 +104,25 @@ where
     /// # Errors
     /// [`RowError`] when there is no such row, or the buffer is not exactly as long as it.
     pub fn render_row<P: Encode>(&mut self, y: u32, row: &mut [P]) -> Result<(), RowError> {
+        self.watch_row(y, row, &mut ())
+    }
+
+    /// Renders row `y` as [`render_row`](Self::render_row) does and tells an observer of its rays.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn watch_row<P: Encode>(
+        &mut self,
+        y: u32,
+        row: &mut [P],
+        observer: &mut impl Observer,
+    ) -> Result<(), RowError> {
         let width = self.picture.size.width;
         if row.len() != width as usize {
             return Err(RowError::BufferLength { width, length: row.len() });
         }
         self.row_exists(y)?;
-        self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row);
+        self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row, observer);
         Ok(())
     }
 }
@@ -122,11 +137,12 @@ fn faintest<S: Scalar, X: Intersect<S>>(scene: &Scene<'_, S, X>, depth: u8) -> S
     S::SKIN * (mirrors * scene.brightest()).recip()
 }
 
-impl<S, C, const WIDTH: usize, const DEPTH: usize, X> Renderer<'_, '_, S, C, WIDTH, DEPTH, X>
+impl<S, C, const WIDTH: usize, const DEPTH: usize, X, Q> Renderer<'_, '_, S, C, WIDTH, DEPTH, X, Q>
 where
     S: Scalar,
     C: Encode + PixelColor,
     X: Intersect<S>,
+    Q: Quality,
 {
     /// Draws the picture at the upper left corner of a display, one `fill_contiguous` a row.
     ///
@@ -173,7 +189,7 @@ where
         // No row is longer than WIDTH: `new` has seen to it.
         let (pixels, _) = scanline.split_at_mut(columns.len().min(WIDTH));
         for y in top as u32..top as u32 + part.size.height {
-            self.picture.encode_row(scratch, y, columns.clone(), pixels);
+            self.picture.encode_row(scratch, y, columns.clone(), pixels, &mut ());
             let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
             let row = Rectangle::new(place, Size::new(part.size.width, 1));
             target.fill_contiguous(&row, pixels.iter().copied())?;

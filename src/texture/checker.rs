@@ -28,6 +28,12 @@ impl<S: Scalar> Checker<S> {
         if tile & 1 == 0 { self.even } else { self.odd }
     }
 
+    /// Answers a number of the tile at texture coordinates, other for each of 2^16 by 2^16 neighbours.
+    pub fn tile(&self, u: S, v: S) -> u32 {
+        let [i, j] = [u, v].map(|along| S::floor(along.mul_wide(self.per_unit)) as u32);
+        i ^ j.rotate_left(16)
+    }
+
     /// Tells whether every value is one a scene may contain.
     pub fn in_range(&self) -> bool {
         self.even.in_range() && self.odd.in_range() && self.per_unit.in_range()

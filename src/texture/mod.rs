@@ -27,6 +27,14 @@ impl<S: Scalar> Texture<S> {
         }
     }
 
+    /// Answers a number of the tile at a hit: neighbouring tiles have different ones.
+    pub fn tile(&self, surface: &Surface<S>) -> u32 {
+        match self {
+            Self::Solid(_) => 0,
+            Self::Checker(checker) => checker.tile(surface.u, surface.v),
+        }
+    }
+
     /// Tells whether every value is one a scene may contain.
     pub fn in_range(&self) -> bool {
         match self {

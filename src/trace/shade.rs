@@ -27,6 +27,8 @@ pub(super) struct Site<'a, S: Scalar> {
     pub from: Departure,
     /// How many mirrors the viewer looks through.
     pub level: u8,
+    /// Which of the rays traced together the viewer follows.
+    pub lane: u8,
 }
 
 /// Lights surfaces.
@@ -50,6 +52,7 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
             let Some((direction, distance)) = facing(light, &site.surface) else { continue };
             let cosine = brdf::lambert(site.surface.normal, direction);
             if cosine > S::ZERO && !self.shadowed(site, number, direction, distance, observer) {
+                observer.lit(site.lane, number);
                 sum += light.color() * (color * cosine + highlight(site, direction));
             }
         }

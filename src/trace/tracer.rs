@@ -4,6 +4,7 @@ use super::shade::{Shader, Site};
 use super::vicinity::Vicinities;
 use super::visibility::{Candidates, Departure, arrive, nearest};
 use crate::color::Rgb;
+use crate::hit::Surface;
 use crate::material::Material;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -135,6 +136,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 Some((&object.shape, self.scene.materials.get(usize::from(object.material))?))
             });
             let Some((shape, material)) = found else {
+                run.iter().for_each(|lane| observer.met(lane.number, Lane::<S>::NOTHING, 0));
                 self.see_sky(level, run, light);
                 continue;
             };
@@ -174,8 +176,9 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 surface.normal = -surface.normal;
             }
             let from = Departure { index: lane.met, free: outside && convex };
-            let distance = lane.interval.far;
-            let site = Site { surface, material, ambient, direction, distance, from, level };
+            observer.met(lane.number, lane.met, tile(material, &surface));
+            let (distance, number) = (lane.interval.far, lane.number);
+            let site = Site { surface, material, ambient, direction, distance, from, level, lane: number };
             let sent = self.shader.direct(&site, observer);
             self.add(level, lane, sent, light);
             if reflects {
@@ -198,6 +201,11 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             *light = if self.exposed { self.exposure * sent } else { sent };
         }
     }
+}
+
+/// Answers a number of the part and the tile that a place belongs to.
+fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
+    material.texture.tile(surface) ^ u32::from(surface.part).rotate_right(3)
 }
 
 /// Answers the mirror direction, of unit length again so that rounding does not grow from bounce

@@ -3,7 +3,7 @@ use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::scenes;
-use crate::shot::{Number, Shot};
+use crate::shot::{Number, Quality, Shot};
 use crate::turn::Turn;
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -91,6 +91,7 @@ pub(super) struct ShowArgs {
     scanray compare simple\n  \
     scanray compare --all --panel rgb565\n  \
     scanray compare --all --json\n  \
+    scanray compare --all --quality adaptive --panel rgb565\n  \
     scanray compare c-ray --number fixed -o pictures")]
 pub(super) struct CompareArgs {
     /// Scene to compare
@@ -102,6 +103,9 @@ pub(super) struct CompareArgs {
     /// Judge this number only: f32, fixed or exact [default: all three]
     #[arg(long, value_parser = judged)]
     pub number: Option<Number>,
+    /// Judge pictures of this quality; adaptive ones are compared with the exact ones of the same number
+    #[arg(long, default_value = "exact")]
+    pub quality: Quality,
     /// Colour format in which pixels are compared
     #[arg(long, default_value = "rgb888")]
     pub panel: Panel,
@@ -115,6 +119,14 @@ pub(super) struct CompareArgs {
     /// [default: for a single scene the current one, for --all none]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+}
+
+impl CompareArgs {
+    /// Answers the numbers that are judged.
+    pub fn numbers(&self) -> impl Iterator<Item = Number> + '_ {
+        let numbers = Number::ALL.into_iter().filter(|number| *number != Number::Oracle);
+        numbers.filter(|number| self.number.is_none_or(|only| only == *number))
+    }
 }
 
 #[derive(Debug, Args)]
@@ -178,6 +190,9 @@ pub(super) struct Look {
     /// How light becomes levels [default: the scene's]
     #[arg(long, value_enum)]
     pub transfer: Option<Curve>,
+    /// How much of the picture is traced
+    #[arg(long, default_value = "exact")]
+    pub quality: Quality,
     /// Step K of N of a turn around the point that the camera looks at
     #[arg(long, value_name = "K/N")]
     pub step: Option<Turn>,
@@ -193,6 +208,7 @@ impl Look {
         shot.depth = self.depth.unwrap_or(shot.depth);
         shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
+        shot.quality = self.quality;
         Ok(shot)
     }
 }
@@ -241,6 +257,21 @@ impl Curve {
             Self::Srgb => Transfer::Srgb,
             Self::Linear => Transfer::Linear,
         }
+    }
+}
+
+impl ValueEnum for Quality {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Exact, Self::Adaptive]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Exact => PossibleValue::new("exact").help("Every pixel is traced"),
+            Self::Adaptive => {
+                PossibleValue::new("adaptive").help("What lies between pixels that see the same is filled in")
+            }
+        })
     }
 }
 

@@ -1,10 +1,11 @@
+use super::adaptive;
 use super::args::{CompareArgs, scene};
 use super::render::{reference, take};
 use super::{Error, report};
 use crate::compare::{Comparison, Figures, difference};
 use crate::png;
 use crate::scenes::{self, Entry};
-use crate::shot::{Number, Picture, Shot};
+use crate::shot::{Number, Picture, Quality, Shot};
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use std::io::Write;
 use std::path::PathBuf;
@@ -16,6 +17,9 @@ pub(super) fn run(args: &CompareArgs, out: &mut impl Write) -> Result<(), Error>
         None if args.all => scenes::all().collect(),
         None => return Err(Error::NothingToCompare),
     };
+    if args.quality == Quality::Adaptive {
+        return adaptive::run(args, &entries, out);
+    }
     let directory = directory(args)?;
     let mut all = vec![];
     let mut files = vec![];
@@ -68,8 +72,7 @@ impl Compared {
         shot.size = args.size.unwrap_or(shot.size);
         let truth = reference(&shot)?;
         let shown = Picture { size: shot.size, pixels: truth.on_panel(shot.panel) };
-        let numbers = Number::ALL.into_iter().filter(|number| *number != Number::Oracle);
-        let asked = numbers.filter(|number| args.number.is_none_or(|only| only == *number));
+        let asked = args.numbers();
         let judged =
             asked.map(|number| judge(&Shot { number, ..shot }, &truth, &shown)).collect::<Result<_, _>>()?;
         Ok(Self { judged, reference: shown })

@@ -1,5 +1,6 @@
 //! The command line: what it takes, what it prints, how it fails.
 
+mod adaptive;
 mod args;
 mod bench;
 mod compare;
