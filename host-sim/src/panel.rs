@@ -33,52 +33,25 @@ fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
     [spread(color.r(), C::MAX_R), spread(color.g(), C::MAX_G), spread(color.b(), C::MAX_B)]
 }
 
-/// Is a panel's colour, which can be shown in 8 bits a channel.
-pub trait Shown: Encode {
-    /// Answers what it looks like.
-    fn shown(self) -> [u8; 3];
+/// Is a pixel before it is rounded for its panel, so that one renderer serves all panels of colours and
+/// one all panels of greys.
+#[derive(Clone, Copy, Debug)]
+pub struct Unrounded<const GRAY: bool> {
+    levels: [u32; 3],
+    threshold: u32,
 }
 
-macro_rules! shown {
-    ($($color:ty: $self:ident => $shown:expr;)*) => {
-        $(impl Shown for $color {
-            fn shown($self) -> [u8; 3] {
-                $shown
-            }
-        })*
-    };
-}
+impl<const GRAY: bool> Encode for Unrounded<GRAY> {
+    const DARKEST: Self = Self { levels: [0; 3], threshold: 0 };
 
-shown! {
-    Rgb565: self => rgb(self);
-    Rgb666: self => rgb(self);
-    Rgb888: self => rgb(self);
-    Gray8: self => [self.luma(); 3];
-    Gray4: self => [spread(self.luma(), 15); 3];
-    BinaryColor: self => [spread(self.is_on() as u8, 1); 3];
-}
+    fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
+        if GRAY { Gray8::levels(light, transfer) } else { Rgb888::levels(light, transfer) }
+    }
 
-/// Calls the same function for whichever panel's colour it is.
-macro_rules! in_color_of {
-    ($panel:expr, $color:ident => $call:expr) => {{
-        use embedded_graphics_core::pixelcolor as colors;
-        use $crate::panel::Panel;
-        match $panel {
-            Panel::Rgb565 => in_color_of!(@ $color = colors::Rgb565, $call),
-            Panel::Rgb666 => in_color_of!(@ $color = colors::Rgb666, $call),
-            Panel::Rgb888 => in_color_of!(@ $color = colors::Rgb888, $call),
-            Panel::Gray8 => in_color_of!(@ $color = colors::Gray8, $call),
-            Panel::Gray4 => in_color_of!(@ $color = colors::Gray4, $call),
-            Panel::Mono => in_color_of!(@ $color = colors::BinaryColor, $call),
-        }
-    }};
-    (@ $color:ident = $type:ty, $call:expr) => {{
-        type $color = $type;
-        $call
-    }};
+    fn from_levels(levels: [u32; 3], threshold: u32) -> Self {
+        Self { levels, threshold }
+    }
 }
-
-pub(crate) use in_color_of;
 
 impl Panel {
     /// Lists all panels.
@@ -107,6 +80,26 @@ impl Panel {
         y: u32,
     ) -> [u8; 3] {
         let quantizer = Quantizer::new(transfer, dither, x, y);
-        in_color_of!(self, Color => Color::from_light(light, quantizer).shown())
+        match self {
+            Self::Rgb565 | Self::Rgb666 | Self::Rgb888 => {
+                self.round(Unrounded::<false>::from_light(light, quantizer))
+            }
+            Self::Gray8 | Self::Gray4 | Self::Mono => {
+                self.round(Unrounded::<true>::from_light(light, quantizer))
+            }
+        }
+    }
+
+    /// Rounds a pixel with the core's own encoder and answers what it looks like.
+    pub fn round<const GRAY: bool>(self, pixel: Unrounded<GRAY>) -> [u8; 3] {
+        let Unrounded { levels, threshold } = pixel;
+        match self {
+            Self::Rgb565 => rgb(Rgb565::from_levels(levels, threshold)),
+            Self::Rgb666 => rgb(Rgb666::from_levels(levels, threshold)),
+            Self::Rgb888 => rgb(Rgb888::from_levels(levels, threshold)),
+            Self::Gray8 => [Gray8::from_levels(levels, threshold).luma(); 3],
+            Self::Gray4 => [spread(Gray4::from_levels(levels, threshold).luma(), 15); 3],
+            Self::Mono => [spread(BinaryColor::from_levels(levels, threshold).is_on() as u8, 1); 3],
+        }
     }
 }

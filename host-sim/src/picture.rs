@@ -1,6 +1,6 @@
 //! Pictures as the core makes them: linear light of every pixel, and the same on a panel.
 
-use crate::panel::{Panel, Shown, in_color_of};
+use crate::panel::{Panel, Unrounded};
 use scanray::gallery::View;
 use scanray::math::Scalar;
 use scanray::trace::RayCounts;
@@ -96,7 +96,7 @@ pub struct Drawn {
     pub rays: RayCounts,
 }
 
-/// Draws a picture for a panel as a device does: rows of the panel's colours, in any quality.
+/// Draws a picture for a panel as a device does: row by row in the panel's levels, in any quality.
 ///
 /// # Errors
 /// What keeps the core from drawing the view.
@@ -107,26 +107,33 @@ pub fn draw<S: Scalar>(
     panel: Panel,
     row_done: impl FnMut(u32),
 ) -> Result<Drawn, RenderError> {
-    in_color_of!(panel, Color => draw_in(Color::DARKEST, view, settings, size, row_done))
+    match panel {
+        Panel::Rgb565 | Panel::Rgb666 | Panel::Rgb888 => {
+            draw_in::<S, false>(view, settings, size, panel, row_done)
+        }
+        Panel::Gray8 | Panel::Gray4 | Panel::Mono => {
+            draw_in::<S, true>(view, settings, size, panel, row_done)
+        }
+    }
 }
 
-fn draw_in<S: Scalar, C: Shown>(
-    darkest: C,
+fn draw_in<S: Scalar, const GRAY: bool>(
     view: &View<S>,
     settings: Settings<S, impl Quality>,
     size: [u32; 2],
+    panel: Panel,
     mut row_done: impl FnMut(u32),
 ) -> Result<Drawn, RenderError> {
     let [columns, rows] = size;
-    let mut workspace = Workspace::<S, C, 0, MAX_DEPTH>::new();
+    let mut workspace = Workspace::<S, Unrounded<GRAY>, 0, MAX_DEPTH>::new();
     let canvas = Size::new(columns, rows);
     let mut renderer = Renderer::new(&view.scene, &view.camera, canvas, settings, &mut workspace)?;
-    let mut row = vec![darkest; columns as usize];
+    let mut row = vec![Unrounded::<GRAY>::DARKEST; columns as usize];
     let mut drawn = Drawn { pixels: Vec::new(), rays: RayCounts::default() };
     for y in 0..rows {
         // The row exists, and there is a place for each of its pixels.
         let _ = renderer.watch_row(y, &mut row, &mut drawn.rays);
-        drawn.pixels.extend(row.iter().map(|color| color.shown()));
+        drawn.pixels.extend(row.iter().map(|pixel| panel.round(*pixel)));
         row_done(y);
     }
     Ok(drawn)
