@@ -1,6 +1,6 @@
-//! What is chosen when the firmware is built: scene and number.
+//! What is chosen when the firmware is built: scene, number and mode.
 
-use scanray::gallery::View;
+use scanray::{Adaptive, Exact, gallery::View, render::Quality};
 
 #[cfg(not(target_abi = "eabihf"))]
 use scanray::gallery::fixed as number;
@@ -19,6 +19,37 @@ const SCENE: &str = match option_env!("SCANRAY_SCENE") {
     Some(scene) => scene,
     None => "three-spheres",
 };
+
+/// Is the mode's name, as tables show it.
+pub const MODE: &str = match option_env!("SCANRAY_MODE") {
+    Some(mode) => mode,
+    None => "exact",
+};
+
+/// Is the mode as a type: an image holds the code of its own mode only.
+pub type Mode = <Is<{ is_adaptive() }> as Chosen>::Mode;
+
+/// Stands for a yes or a no.
+pub struct Is<const YES: bool>;
+
+/// Names the type that an answer stands for.
+pub trait Chosen {
+    /// Is that type.
+    type Mode: Quality;
+}
+
+impl Chosen for Is<false> {
+    type Mode = Exact;
+}
+
+impl Chosen for Is<true> {
+    type Mode = Adaptive;
+}
+
+const fn is_adaptive() -> bool {
+    assert!(same(MODE.as_bytes(), b"adaptive") || same(MODE.as_bytes(), b"exact"), "there is no such mode");
+    same(MODE.as_bytes(), b"adaptive")
+}
 
 /// Is the scene with its camera and settings.
 pub static VIEW: View<Number> = find(&number::VIEWS, SCENE);

@@ -1,11 +1,9 @@
-//! What runs on the board: the scene in each mode, first against the counter, then for its checksum.
+//! What runs on the board: the scene, first against the counter, then for its checksum.
 
 mod board;
 mod chosen;
 #[path = "../../boards/decimal.rs"]
 mod decimal;
-#[path = "../mode.rs"]
-mod mode;
 
 use core::{hint::black_box, panic::PanicInfo};
 
@@ -13,9 +11,8 @@ use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use scanray::{Renderer, Workspace};
 
 use self::{
-    chosen::{DEPTH, HEIGHT, Number, VIEW, WIDTH},
+    chosen::{DEPTH, HEIGHT, MODE, Mode, Number, VIEW, WIDTH},
     decimal::Decimal,
-    mode::Modes,
 };
 
 /// Is a row in the bytes a display's bus wants.
@@ -24,18 +21,14 @@ type Row = [[u8; 2]; WIDTH as usize];
 /// Is the workspace; rows go to a buffer of ours, so the workspace needs no room for one.
 type Space = Workspace<Number, Rgb565, 0, DEPTH>;
 
-/// Is a mode in the number that suits the chip.
-type Mode = mode::Mode<Number>;
-
 /// Renders each `stride`th row; those of a stride that the host asks for stand for the whole picture.
 #[cortex_m_rt::entry]
 fn main() -> ! {
     let stride = board::argument();
-    let modes = Number::MODES;
-    let measured = modes.iter().try_for_each(|mode| measure(mode, stride));
+    let measured = measure(stride);
     // A host that wants the figures only need not wait for the rest.
     board::print(&[b"measured"]);
-    match measured.and_then(|()| modes.iter().try_for_each(|mode| identify(mode, stride))) {
+    match measured.and_then(|()| identify(stride)) {
         Ok(()) => board::end(true),
         Err(what) => fail(what),
     }
@@ -48,10 +41,10 @@ fn fail(what: &str) -> ! {
 
 /// Renders each `stride`th row and hands it to `use_row`.
 #[inline(never)]
-fn render(mode: &Mode, stride: u32, use_row: &mut dyn FnMut(&Row)) -> Result<(), &'static str> {
+fn render(stride: u32, use_row: &mut dyn FnMut(&Row)) -> Result<(), &'static str> {
     let mut space = Space::new();
     let size = Size::new(WIDTH, HEIGHT);
-    let settings = (mode.settings)(VIEW.settings);
+    let settings = VIEW.settings.with_quality(Mode::default());
     let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, &mut space)
         .map_err(|_| "the renderer refuses the scene")?;
     let mut row = [[0; 2]; WIDTH as usize];
@@ -63,29 +56,29 @@ fn render(mode: &Mode, stride: u32, use_row: &mut dyn FnMut(&Row)) -> Result<(),
 }
 
 /// Prints how many ticks of 40 ns the picture takes and how deep the stack grows.
-fn measure(mode: &Mode, stride: u32) -> Result<(), &'static str> {
+fn measure(stride: u32) -> Result<(), &'static str> {
     board::paint_stack();
     let start = board::ticks();
-    render(mode, stride, &mut |row| {
+    render(stride, &mut |row| {
         black_box(row);
     })?;
     let ticks = board::ticks().wrapping_sub(start);
     let stack = board::stack_used();
-    print_figure(mode, b" ticks ", ticks);
-    print_figure(mode, b" stack ", stack);
+    print_figure(b" ticks ", ticks);
+    print_figure(b" stack ", stack);
     Ok(())
 }
 
 /// Prints the checksum by which the host knows the picture.
-fn identify(mode: &Mode, stride: u32) -> Result<(), &'static str> {
+fn identify(stride: u32) -> Result<(), &'static str> {
     let mut checksum = FNV_OFFSET;
-    render(mode, stride, &mut |row| checksum = row.as_flattened().iter().fold(checksum, fnv))?;
-    print_figure(mode, b" checksum ", checksum);
+    render(stride, &mut |row| checksum = row.as_flattened().iter().fold(checksum, fnv))?;
+    print_figure(b" checksum ", checksum);
     Ok(())
 }
 
-fn print_figure(mode: &Mode, name: &[u8], figure: u32) {
-    board::print(&[mode.name.as_bytes(), name, Decimal::new(figure).as_bytes()]);
+fn print_figure(name: &[u8], figure: u32) {
+    board::print(&[MODE.as_bytes(), name, Decimal::new(figure).as_bytes()]);
 }
 
 /// Is where the 32-bit FNV-1a checksum begins.

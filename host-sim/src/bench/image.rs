@@ -37,8 +37,8 @@ struct Built {
 }
 
 impl Image {
-    /// Builds the image of a scene for a chip.
-    pub fn build(chip: &Chip, scene: &str) -> Result<Self, Failure> {
+    /// Builds the image of a scene for a chip, in a mode.
+    pub fn build(chip: &Chip, scene: &str, mode: &str) -> Result<Self, Failure> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
@@ -47,6 +47,7 @@ impl Image {
             .env("RUSTFLAGS", FLAGS)
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
             .env("SCANRAY_SCENE", scene)
+            .env("SCANRAY_MODE", mode)
             .output()
             .map_err(|error| Failure::Start("cargo", error))?;
         let messages = String::from_utf8_lossy(&output.stdout);

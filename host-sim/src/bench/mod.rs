@@ -7,8 +7,6 @@ mod chip;
 mod emulator;
 mod failure;
 mod image;
-#[path = "../../../examples/measure/mode.rs"]
-mod mode;
 mod peers;
 mod profile;
 mod row;
@@ -69,46 +67,40 @@ pub fn measure(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Ro
         begin(&format!("{}: the reference", scene.name()));
         let truth = Truth::trace(scene)?;
         for chip in choice.chips() {
-            let mut begin = |what: &str| begin(&format!("{} on {}: {what}", scene.name(), chip.name));
-            rows.extend(measure_on(chip, &truth, &mut begin)?);
+            for mode in truth::MODES {
+                let mut begin =
+                    |what: &str| begin(&format!("{} on {}, {mode}: {what}", scene.name(), chip.name));
+                rows.push(measure_in(mode, chip, &truth, &mut begin)?);
+            }
         }
     }
     Ok(rows)
 }
 
-fn measure_on(chip: &Chip, truth: &Truth, begin: &mut dyn FnMut(&str)) -> Result<Vec<Row>, Failure> {
+fn measure_in(mode: &str, chip: &Chip, truth: &Truth, begin: &mut dyn FnMut(&str)) -> Result<Row, Failure> {
     let scene = truth.scene.name();
     begin("building");
-    let image = Image::build(chip, scene)?;
+    let image = Image::build(chip, scene, mode)?;
     let sizes = image.sizes()?;
     begin("counting instructions");
     let said = emulator::count_instructions(chip, &image)?;
-    let mut rows = vec![];
-    for mode in truth::mode_names() {
-        let judged = truth.judge(chip, mode)?;
-        if said.figure(mode, "checksum")? != judged.checksum {
-            return Err(Failure::OtherPicture(scene.to_owned(), chip.name));
-        }
-        rows.push(Row::new(chip, scene, mode, sizes, &said, &judged)?);
+    let judged = truth.judge(chip, mode)?;
+    if said.figure(mode, "checksum")? != judged.checksum {
+        return Err(Failure::OtherPicture(scene.to_owned(), chip.name));
     }
+    let mut row = Row::new(chip, scene, mode, sizes, &said, &judged)?;
     if chip.counts_cycles {
         begin("counting cycles");
-        add_cycles(&image, &said, &mut rows)?;
+        add_cycles(&image, &said, &mut row)?;
     }
-    Ok(rows)
+    Ok(row)
 }
 
-/// Adds cycles, counted on a slower emulator: of so many rows as it traces in about a quarter of a minute.
-fn add_cycles(image: &Image, said: &Said, rows: &mut [Row]) -> Result<(), Failure> {
-    const PATIENCE: u64 = 150_000_000;
-    let mut instructions = 0;
-    for row in rows.iter() {
-        instructions += said.count(&row.mode)?;
-    }
-    let stride = (instructions.div_ceil(PATIENCE) as u32).clamp(1, SIZE[1]);
+/// Adds cycles, counted on a slower emulator: of so many rows as it traces in some seconds.
+fn add_cycles(image: &Image, said: &Said, row: &mut Row) -> Result<(), Failure> {
+    const PATIENCE: u64 = 75_000_000;
+    let stride = (said.count(&row.mode)?.div_ceil(PATIENCE) as u32).clamp(1, SIZE[1]);
     let said = emulator::count_cycles(image, stride)?;
-    for row in rows {
-        row.set_cycles(said.count(&row.mode)?, stride);
-    }
+    row.set_cycles(said.count(&row.mode)?, stride);
     Ok(())
 }

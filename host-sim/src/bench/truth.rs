@@ -1,4 +1,3 @@
-use super::mode::{Mode, Modes};
 use super::{Chip, Failure, SIZE};
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
@@ -7,12 +6,11 @@ use crate::scenes::{Entry, HostNumber};
 use crate::shot::{Number, Refusal};
 use embedded_graphics_core::geometry::Size;
 use scanray::gallery::View;
-use scanray::{Fixed, RenderError, Renderer, Workspace};
+use scanray::render::Quality;
+use scanray::{Adaptive, Exact, Fixed, RenderError, Renderer, Settings, Workspace};
 
 /// Names the modes that the firmware measures.
-pub fn mode_names() -> impl Iterator<Item = &'static str> {
-    f64::MODES.iter().map(|mode| mode.name)
-}
+pub const MODES: [&str; 2] = ["exact", "adaptive"];
 
 /// Is a scene with the reference's picture of it.
 pub struct Truth {
@@ -39,33 +37,35 @@ impl Truth {
 
     /// Draws the picture as a chip does in a mode, and judges it.
     pub fn judge(&self, chip: &Chip, mode: &str) -> Result<Judged, Failure> {
-        match chip.number {
-            Number::F32 => self.judge_in::<f32>(chip, mode),
-            Number::Fixed => self.judge_in::<Fixed>(chip, mode),
-            Number::Exact | Number::Oracle => self.judge_in::<f64>(chip, mode),
+        match (chip.number, mode == "adaptive") {
+            (Number::F32, false) => self.judge_in(chip, f32::view(&self.scene), Exact),
+            (Number::F32, true) => self.judge_in(chip, f32::view(&self.scene), Adaptive),
+            (_, false) => self.judge_in(chip, Fixed::view(&self.scene), Exact),
+            (_, true) => self.judge_in(chip, Fixed::view(&self.scene), Adaptive),
         }
     }
 
-    fn judge_in<S: HostNumber + 'static>(&self, chip: &Chip, mode: &str) -> Result<Judged, Failure> {
-        let view = with_mode(S::view(&self.scene), S::MODES, mode);
-        let film = picture::trace(&view, view.settings, SIZE, |_| ()).map_err(Refusal::from)?;
+    fn judge_in<S: HostNumber>(
+        &self,
+        chip: &Chip,
+        view: &View<S>,
+        quality: impl Quality,
+    ) -> Result<Judged, Failure> {
+        let settings = view.settings.with_quality(quality);
+        let shown = picture::draw(view, settings, SIZE, Panel::Rgb888, |_| ()).map_err(Refusal::from)?;
         let subject = Subject { scene: view.name, number: chip.number.name(), panel: Panel::Rgb888 };
-        let checksum = checksum(&view).map_err(Refusal::from)?;
-        Ok(Judged { checksum, figures: self.reference.figures(subject, &film) })
+        let reference = self.reference.on_panel(Panel::Rgb888);
+        let figures = Figures::of(subject, &shown.pixels, &reference, &self.reference.mask);
+        Ok(Judged { checksum: checksum(view, settings).map_err(Refusal::from)?, figures })
     }
 }
 
-fn with_mode<S: HostNumber>(view: &View<S>, modes: &[Mode<S>], name: &str) -> View<S> {
-    let mode = modes.iter().find(|mode| mode.name == name);
-    View { settings: mode.map_or(view.settings, |mode| (mode.settings)(view.settings)), ..*view }
-}
-
 /// Answers the checksum of the bytes that a display's bus gets.
-fn checksum<S: HostNumber>(view: &View<S>) -> Result<u32, RenderError> {
+fn checksum<S: HostNumber>(view: &View<S>, settings: Settings<S, impl Quality>) -> Result<u32, RenderError> {
     let [width, height] = SIZE;
     let mut space = Workspace::<S, [u8; 2], 0, MAX_DEPTH>::new();
     let size = Size::new(width, height);
-    let mut renderer = Renderer::new(&view.scene, &view.camera, size, view.settings, &mut space)?;
+    let mut renderer = Renderer::new(&view.scene, &view.camera, size, settings, &mut space)?;
     let mut row = vec![[0; 2]; width as usize];
     let mut sum = 0x811c_9dc5_u32;
     for y in 0..height {

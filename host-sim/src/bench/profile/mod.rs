@@ -11,7 +11,7 @@ mod trace;
 
 pub use report::report;
 
-use super::emulator::{self, Said};
+use super::emulator;
 use super::image::Image;
 use super::{Chip, Choice, Failure, SIZE, truth};
 use calls::Counts;
@@ -44,34 +44,31 @@ pub fn profile(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Pr
     let mut profiles = vec![];
     for scene in choice.scenes() {
         for chip in choice.chips() {
-            begin(&format!("{} on {}: tracing", scene.name(), chip.name));
-            profiles.extend(profile_on(chip, scene.name())?);
+            for mode in truth::MODES {
+                begin(&format!("{} on {}, {mode}: tracing", scene.name(), chip.name));
+                profiles.push(profile_in(mode, chip, scene.name())?);
+            }
         }
     }
     Ok(profiles)
 }
 
-fn profile_on(chip: &Chip, scene: &str) -> Result<Vec<Profile>, Failure> {
-    let image = Image::build(chip, scene)?;
+fn profile_in(mode: &str, chip: &Chip, scene: &str) -> Result<Profile, Failure> {
+    let image = Image::build(chip, scene, mode)?;
     let file = image.read()?;
     let symbols = Symbols::read(&image.path, &file)?;
-    let modes: Vec<&str> = truth::mode_names().collect();
-    let stride = stride(&emulator::count_instructions(chip, &image)?, &modes)?;
-    let counts = trace::trace(chip, &image, &symbols, stride, modes.len())?;
-    let name = |mode| format!("{scene} on {} in {}, {mode}", chip.name, chip.number.name());
-    Ok(modes.iter().zip(counts).map(|(mode, counts)| gather(name(mode), &counts, &symbols, stride)).collect())
+    let stride = stride(emulator::count_instructions(chip, &image)?.count(mode)?);
+    let counts = trace::trace(chip, &image, &symbols, stride)?;
+    let name = format!("{scene} on {} in {}, {mode}", chip.name, chip.number.name());
+    Ok(gather(name, &counts, &symbols, stride))
 }
 
 /// Answers how many rows to leave out between two, lest the log have more lines than one likes to wait for.
-fn stride(said: &Said, modes: &[&str]) -> Result<u32, Failure> {
+fn stride(instructions: u64) -> u32 {
     const LINES: u64 = 20_000_000;
     /// Ten rows tell enough of a picture.
     const MOST: u32 = SIZE[1] / 10;
-    let mut instructions = 0;
-    for mode in modes {
-        instructions += said.count(mode)?;
-    }
-    Ok((instructions.div_ceil(LINES) as u32).clamp(1, MOST))
+    (instructions.div_ceil(LINES) as u32).clamp(1, MOST)
 }
 
 /// Sorts counts by what their addresses belong to.

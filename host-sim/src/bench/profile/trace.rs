@@ -10,22 +10,16 @@ use std::process::{Child, Command, Stdio};
 /// Is the function that renders a picture: what it executes is counted.
 const RENDER: &str = "firmware::render";
 
-/// Runs each `stride`th row of the image and counts the executed addresses of each mode's picture.
-pub fn trace(
-    chip: &Chip,
-    image: &Image,
-    symbols: &Symbols<'_>,
-    stride: u32,
-    modes: usize,
-) -> Result<Vec<Counts>, Failure> {
+/// Runs each `stride`th row of the image and counts the executed addresses of the picture.
+pub fn trace(chip: &Chip, image: &Image, symbols: &Symbols<'_>, stride: u32) -> Result<Counts, Failure> {
     let missing = || Failure::Firmware(format!("it has no function {RENDER}"));
     let render = symbols.address_of(RENDER).ok_or_else(missing)?;
     let mut qemu = start(chip, image, stride)?;
     let counts = match qemu.stderr.take() {
-        Some(log) => pictures(BufReader::with_capacity(1 << 20, log), symbols, render, modes),
-        None => Ok(vec![]),
+        Some(log) => picture(BufReader::with_capacity(1 << 20, log), symbols, render),
+        None => Ok(Counts::default()),
     };
-    // It would go on with the checksums.
+    // It would go on with the checksum.
     let _ = qemu.kill();
     let _ = qemu.wait();
     counts
@@ -51,20 +45,14 @@ fn one_instruction_a_block() -> Result<&'static [&'static str], Failure> {
     Ok(if is_old { &["-singlestep"] } else { &["-accel", "tcg,one-insn-per-tb=on"] })
 }
 
-/// Counts the addresses of so many pictures.
-fn pictures(
-    mut log: impl BufRead,
-    symbols: &Symbols<'_>,
-    render: u32,
-    modes: usize,
-) -> Result<Vec<Counts>, Failure> {
+/// Counts the addresses of the first picture.
+fn picture(mut log: impl BufRead, symbols: &Symbols<'_>, render: u32) -> Result<Counts, Failure> {
     let mut known = HashMap::new();
     let mut read = |address| *known.entry(address).or_insert_with(|| symbols.instruction(address));
-    let mut done = vec![];
     let mut line = vec![];
     let mut last = 0;
     let mut picture: Option<(Walk, u32)> = None;
-    while done.len() < modes {
+    loop {
         line.clear();
         let length = log.read_until(b'\n', &mut line).map_err(|error| Failure::Start(QEMU, error))?;
         if length == 0 {
@@ -73,11 +61,10 @@ fn pictures(
         let Some(address) = executed(&line) else { continue };
         if let Some((mut walk, back)) = picture.take() {
             if address == back {
-                done.push(walk.counts);
-            } else {
-                walk.step(address, read(address));
-                picture = Some((walk, back));
+                return Ok(walk.counts);
             }
+            walk.step(address, read(address));
+            picture = Some((walk, back));
         } else if address == render {
             let mut walk = Walk::default();
             walk.step(address, read(address));
@@ -85,7 +72,6 @@ fn pictures(
         }
         last = address;
     }
-    Ok(done)
 }
 
 /// Reads the address of `Trace 0: 0x7faed4000100 [00800400/00000048/00000110/ff000201] Reset`.
