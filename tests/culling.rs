@@ -1,0 +1,155 @@
+//! Spans and what is remembered of shadows leave out only what no ray meets: the picture is that of
+//! brute force, bit for bit, in every number.
+
+use embedded_graphics::prelude::Size;
+use proptest::prelude::*;
+use scanray::trace::{Candidates, Packet, Tracer};
+use scanray::{
+    Camera, Cuboid, Fixed, Light, Material, Object, Plane, Projection, Renderer, Rgb, Scalar, Scene, Settings,
+    Shape, Sky, Sphere, Triangle, Vec3, Workspace,
+};
+
+const COLUMNS: u32 = 40;
+const ROWS: u32 = 14;
+const DEPTH: u8 = 2;
+
+type Point = [f64; 3];
+
+#[derive(Clone, Debug)]
+enum Plain {
+    Ball(Point, f64),
+    Box(Point, Point),
+    Corner(Point, Point, Point),
+    Floor(Point, Point),
+}
+
+fn point(size: f64) -> impl Strategy<Value = Point> {
+    [-size..size, -size..size, -size..size]
+}
+
+fn shape() -> impl Strategy<Value = Plain> {
+    prop_oneof![
+        3 => (point(8.0), 0.05..5.0).prop_map(|(c, r)| Plain::Ball(c, r)),
+        1 => (point(8.0), point(3.0)).prop_map(|(a, e)| Plain::Box(a, e.map(|e| e.abs() + 0.05))),
+        1 => (point(8.0), point(5.0), point(5.0)).prop_map(|(a, e, f)| Plain::Corner(a, e, f)),
+        1 => (point(8.0), point(1.0)).prop_map(|(p, n)| Plain::Floor(p, n)),
+        // A floor below most things, as scenes have it: shadows fall on it in long outlines.
+        1 => (-8.0..0.0).prop_map(|y| Plain::Floor([0.0, y, 0.0], [0.0, 1.0, 0.0])),
+    ]
+}
+
+#[derive(Clone, Debug)]
+struct View {
+    eye: Point,
+    center: Point,
+    up: Point,
+    projection: [f64; 5],
+    near: f64,
+    lights: [Point; 2],
+}
+
+fn view() -> impl Strategy<Value = View> {
+    let projection = [0.0..3.0, 5.0..150.0, -3.0..3.0, 0.1..3.0, 0.1..3.0];
+    // Half of the eyes are so near that shapes lie around and behind them.
+    (prop_oneof![point(3.0), point(12.0)], point(6.0), point(1.0), projection, [point(12.0), point(12.0)]).prop_map(
+        |(eye, center, up, projection, lights)| View { eye, center, up, projection, near: 0.0, lights },
+    )
+}
+
+fn vector<S: Scalar>(number: fn(f64) -> S, [x, y, z]: Point) -> Vec3<S> {
+    Vec3::new(number(x), number(y), number(z))
+}
+
+fn build<S: Scalar>(number: fn(f64) -> S, shape: &Plain) -> Shape<S> {
+    let v = |p: &Point| vector(number, *p);
+    match shape {
+        Plain::Ball(center, radius) => Shape::Sphere(Sphere::new(v(center), number(*radius))),
+        Plain::Box(low, extent) => Shape::Cuboid(Cuboid::new(v(low), v(low) + v(extent))),
+        Plain::Corner(a, e, f) => Shape::Triangle(Triangle::new(v(a), v(a) + v(e), v(a) + v(f))),
+        Plain::Floor(point, normal) => Shape::Plane(Plane::new(v(point), v(normal))),
+    }
+}
+
+fn camera<S: Scalar>(number: fn(f64) -> S, view: &View) -> Camera<S> {
+    let [kind, fovy, left, width, height] = view.projection;
+    let n = number;
+    let projection = if kind < 1.0 {
+        Projection::Perspective { fovy: n(fovy) }
+    } else if kind < 2.0 {
+        Projection::Orthographic { height: n(3.0 * height) }
+    } else {
+        // Every other off-centre window is mirrored.
+        let (left, right) = if kind < 2.5 { (left, left + width) } else { (left + width, left) };
+        Projection::Frustum { left: n(left), right: n(right), bottom: n(-0.3 * height), top: n(0.7 * height) }
+    };
+    let points = [view.eye, view.center, view.up].map(|p| vector(number, p));
+    Camera::new(points, projection, [n(if kind < 2.0 { view.near } else { 0.5 }), n(100.0)])
+}
+
+/// Draws with and without culling, and answers what differs first.
+fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Option<String> {
+    let tint = |i: usize| number((i % 7 + 1) as f64 / 8.0);
+    let materials: Vec<Material<S>> = (0..shapes.len())
+        .map(|i| {
+            let matte = Material::matte(Rgb::new(tint(i), tint(i + 3), tint(i + 5)));
+            matte.with_mirror(number(0.5)).with_specular(Rgb::gray(number(0.5)), 9)
+        })
+        .collect();
+    let objects: Vec<Object<S>> = (0..).zip(shapes).map(|(i, shape)| Object::new(build(number, shape), i)).collect();
+    let [lamp, sun] = view.lights.map(|p| vector(number, p));
+    let lights = [Light::point(lamp, Rgb::gray(number(0.7))), Light::directional(sun, Rgb::gray(number(0.4)))];
+    let scene = Scene::new(&objects, &materials, &lights).with_sky(Sky::Solid(Rgb::gray(number(0.2))));
+    let camera = camera(number, view);
+    let (size, settings) = (Size::new(COLUMNS, ROWS), Settings::new().with_depth(DEPTH));
+    let mut workspace = Workspace::<S, [u8; 2], 0, 2>::new();
+    // A scene that is refused has no picture to compare.
+    let mut renderer = Renderer::new(&scene, &camera, size, settings, &mut workspace).ok()?;
+    let frame = camera.frame(COLUMNS, ROWS).ok()?;
+    let mut brute = Tracer::new(&scene, DEPTH);
+    for y in 0..ROWS {
+        let mut culled = Vec::new();
+        renderer.trace_row(y, 0..COLUMNS, &mut (), |_, light| culled.push(light)).ok()?;
+        for ((x, primary), light) in (0..COLUMNS).zip(frame.row(y, 0)).zip(culled) {
+            let ray = std::iter::once((primary.ray, primary.interval));
+            let mut packet = Packet::new();
+            let whole = brute.radiance(&mut packet, ray, Candidates::all(&scene), &mut ())[0];
+            if light != whole {
+                return Some(format!("pixel {x}, {y}: {light:?}, by brute force {whole:?}"));
+            }
+        }
+    }
+    None
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    #[test]
+    fn culling_never_changes_a_lit_picture_in_f32(shapes in prop::collection::vec(shape(), 1..40), view in view()) {
+        prop_assert_eq!(differs(|x| x as f32, &shapes, &view), None);
+    }
+
+    #[test]
+    fn culling_never_changes_a_lit_picture_in_fixed_point(shapes in prop::collection::vec(shape(), 1..40), view in view()) {
+        prop_assert_eq!(differs(Fixed::new, &shapes, &view), None);
+    }
+}
+
+#[test]
+fn more_balls_than_are_noted_or_listed_still_cast_all_their_shadows() {
+    let balls = (0..150).map(|i| {
+        let (column, row) = (f64::from(i % 15), f64::from(i / 15));
+        Plain::Ball([column - 7.0, 1.0 + 0.1 * row, -row], 0.35)
+    });
+    let shapes: Vec<Plain> = std::iter::once(Plain::Floor([0.0; 3], [0.0, 1.0, 0.0])).chain(balls).collect();
+    let view = View {
+        eye: [0.0, 3.0, 6.0],
+        center: [0.0, 0.5, -3.0],
+        up: [0.0, 1.0, 0.0],
+        projection: [0.0, 60.0, 0.0, 1.0, 1.0],
+        near: 0.0,
+        lights: [[3.0, 9.0, 2.0], [-1.0, 1.0, 0.5]],
+    };
+    assert_eq!(differs(|x| x as f32, &shapes, &view), None);
+    assert_eq!(differs(Fixed::new, &shapes, &view), None);
+}
