@@ -1,4 +1,5 @@
-//! Ways to make a picture: the firmware measures each, the host judges each. A further one is a further line here.
+//! Ways to make a picture: the firmware measures each, the host judges each. A further one is a further line
+//! here.
 
 use scanray::{Scalar, Settings};
 

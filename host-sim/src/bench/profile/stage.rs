@@ -29,8 +29,8 @@ pub enum Shape {
 use Shape::*;
 use Stage::*;
 
-/// Names stages by a part of a function's path and by a part of its type parameters, if these matter. Of the functions
-/// that an instruction lies in, the innermost that is listed decides; of its lines here, the first.
+/// Names stages by a part of a function's path and by a part of its type parameters, if these matter. Of the
+/// functions that an instruction lies in, the innermost that is listed decides; of its lines here, the first.
 const STAGES: [(&str, &str, Stage); 13] = [
     ("scanray::camera", "", Rays),
     ("scanray::render::candidates", "", Candidates),
@@ -91,8 +91,8 @@ impl fmt::Display for Shape {
     }
 }
 
-/// Answers the innermost function of the core or of the compiler's helpers: what others say of themselves, such as that
-/// they multiply, tells little.
+/// Answers the innermost function of the core or of the compiler's helpers: what others say of themselves,
+/// such as that they multiply, tells little.
 pub fn telling(frames: &[&str]) -> String {
     let paths: Vec<String> = frames.iter().map(|frame| plain(frame)).collect();
     let is_telling = |path: &&String| path.starts_with("scanray") || path.starts_with("__");
