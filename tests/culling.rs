@@ -5,8 +5,8 @@ use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use scanray::trace::{Candidates, Packet, Tracer};
 use scanray::{
-    Camera, Cuboid, Fixed, Light, Material, Object, Plane, Projection, Renderer, Rgb, Scalar, Scene, Settings,
-    Shape, Sky, Sphere, Triangle, Vec3, Workspace,
+    Camera, Cuboid, Fixed, Light, Material, Object, Plane, Projection, Renderer, Rgb, Scalar, Scene,
+    Settings, Shape, Sky, Sphere, Triangle, Vec3, Workspace,
 };
 
 const COLUMNS: u32 = 40;
@@ -51,9 +51,15 @@ struct View {
 fn view() -> impl Strategy<Value = View> {
     let projection = [0.0..3.0, 5.0..150.0, -3.0..3.0, 0.1..3.0, 0.1..3.0];
     // Half of the eyes are so near that shapes lie around and behind them.
-    (prop_oneof![point(3.0), point(12.0)], point(6.0), point(1.0), projection, [point(12.0), point(12.0)]).prop_map(
-        |(eye, center, up, projection, lights)| View { eye, center, up, projection, near: 0.0, lights },
-    )
+    (prop_oneof![point(3.0), point(12.0)], point(6.0), point(1.0), projection, [point(12.0), point(12.0)])
+        .prop_map(|(eye, center, up, projection, lights)| View {
+            eye,
+            center,
+            up,
+            projection,
+            near: 0.0,
+            lights,
+        })
 }
 
 fn vector<S: Scalar>(number: fn(f64) -> S, [x, y, z]: Point) -> Vec3<S> {
@@ -95,9 +101,11 @@ fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Op
             matte.with_mirror(number(0.5)).with_specular(Rgb::gray(number(0.5)), 9)
         })
         .collect();
-    let objects: Vec<Object<S>> = (0..).zip(shapes).map(|(i, shape)| Object::new(build(number, shape), i)).collect();
+    let objects: Vec<Object<S>> =
+        (0..).zip(shapes).map(|(i, shape)| Object::new(build(number, shape), i)).collect();
     let [lamp, sun] = view.lights.map(|p| vector(number, p));
-    let lights = [Light::point(lamp, Rgb::gray(number(0.7))), Light::directional(sun, Rgb::gray(number(0.4)))];
+    let lights =
+        [Light::point(lamp, Rgb::gray(number(0.7))), Light::directional(sun, Rgb::gray(number(0.4)))];
     let scene = Scene::new(&objects, &materials, &lights).with_sky(Sky::Solid(Rgb::gray(number(0.2))));
     let camera = camera(number, view);
     let (size, settings) = (Size::new(COLUMNS, ROWS), Settings::new().with_depth(DEPTH));

@@ -1,9 +1,11 @@
-//! Firmware: a Cortex-M renders one scene and says what it costs; `cargo sim bench` builds, runs and tabulates it.
+//! Firmware: a Cortex-M renders one scene and says what it costs; `cargo sim bench` builds, runs and
+//! tabulates it.
 //!
-//! The scene is chosen when it is built, by the environment variable `SCANRAY_SCENE`, so that the image holds that scene
-//! alone. With a floating-point unit the number is `f32`, without one it is fixed point.
+//! The scene is chosen when it is built, by the environment variable `SCANRAY_SCENE`, so that the image holds
+//! that scene alone. With a floating-point unit the number is `f32`, without one it is fixed point.
 //!
-//! There is no panel: rows go into a buffer, as for a display that is fed by DMA. Everything is said by semihosting.
+//! There is no panel: rows go into a buffer, as for a display that is fed by DMA. Everything is said by
+//! semihosting.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(all(target_os = "none", target_arch = "arm"))]

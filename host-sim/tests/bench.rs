@@ -1,6 +1,7 @@
 //! Speed and size are exact, so that what was measured before is a test.
 
 use host_sim::bench::{Choice, Snapshot, measure};
+use std::process::Command;
 
 #[test]
 #[ignore = "needs the firmware's targets, qemu-system-arm and node with rp2040js (run by .ci/run)"]
@@ -10,4 +11,13 @@ fn every_scene_costs_on_every_chip_what_it_did_when_somebody_looked() {
         measure(Choice::default(), |what| eprintln!("{what}")).unwrap_or_else(|failure| panic!("{failure}"));
     let complaints = kept.complaints(&rows);
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+#[test]
+fn an_unknown_chip_is_answered_with_the_names_of_those_there_are() {
+    let output = Command::new(env!("CARGO_BIN_EXE_scanray")).args(["bench", "--chip", "m7"]).output();
+    let output = output.expect("the command starts");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("the chips are m4f, m3, m0+"), "{said}");
 }

@@ -114,9 +114,14 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             let going = gather(lanes, self.faint);
             lanes = lanes.split_at_mut(going).0;
             lanes.iter().for_each(|_| observer.ray(RayKind::Reflection));
-            nearest(self.scene, Candidates::all(self.scene), None, lanes);
+            self.seek_mirrored(lanes);
             sent_on = self.light_up(level, lanes, light, observer);
         }
+    }
+
+    /// Finds what mirrored rays meet, which may be any object.
+    fn seek_mirrored(&self, lanes: &mut [Lane<S>]) {
+        nearest(self.scene, Candidates::all(self.scene), None, lanes);
     }
 
     /// Adds to `light` what comes from where the rays have arrived, turns them to where they go on

@@ -1,4 +1,5 @@
-//! The MPS2 board: a counter, the stack, and the host's console by semihosting, with all `unsafe` of this firmware.
+//! The MPS2 board: a counter, the stack, and the host's console by semihosting, with all `unsafe` of this
+//! firmware.
 
 use core::ffi::c_void;
 use cortex_m_semihosting::{
@@ -15,7 +16,8 @@ const PAINT: u32 = 0x5ca1_ab1e;
 /// Is left unpainted below the stack pointer: the room of the painter itself.
 const MARGIN: usize = 256;
 
-/// Stands in for a device's interrupt table, which start-up code asks for where another example brings a device crate.
+/// Stands in for a device's interrupt table, which start-up code asks for where another example brings a
+/// device crate.
 #[cfg(not(target_has_atomic = "32"))]
 // SAFETY: name and section are those the runtime asks for; an interrupt that nobody enables needs no handler.
 #[unsafe(no_mangle)]
@@ -30,7 +32,8 @@ unsafe extern "C" {
 
 /// Answers the time in ticks of 40 ns; it comes round after 171 s.
 pub fn ticks() -> u32 {
-    // SAFETY: the counter of the board's FPGA I/O block, aligned, always there, and read without side effects.
+    // SAFETY: the counter of the board's FPGA I/O block, aligned, always there, and read without side
+    // effects.
     unsafe { COUNTER.read_volatile() }
 }
 

@@ -4,8 +4,8 @@ use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Takes the place of the target's own flags: every core has the memory of the same board, and names of functions keep
-/// their type parameters, which changes no instruction.
+/// Takes the place of the target's own flags: every core has the memory of the same board, and names of
+/// functions keep their type parameters, which changes no instruction.
 const FLAGS: &str =
     "-C link-arg=--nmagic -C link-arg=-Texamples/boards/mps2_an386.ld -C symbol-mangling-version=v0";
 

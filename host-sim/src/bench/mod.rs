@@ -1,7 +1,7 @@
 //! The bench: what a picture costs on a chip, in instructions, flash, RAM and stack, and how right it is.
 //!
-//! An image of `examples/measure` is built for each scene and chip and run on the emulated chip. The host checks that
-//! the chip drew the very picture whose distance from the reference it tells.
+//! An image of `examples/measure` is built for each scene and chip and run on the emulated chip. The host
+//! checks that the chip drew the very picture whose distance from the reference it tells.
 
 mod chip;
 mod emulator;

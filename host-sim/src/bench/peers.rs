@@ -1,7 +1,8 @@
 //! What other ray tracers for small machines take for their own pictures.
 
-/// Is a ray tracer whose scene is in the gallery, with executed instructions a pixel of the whole frame with colour
-/// packing at 320x240, one ray a pixel, built with the flags that suit it best (single precision, fast-math).
+/// Is a ray tracer whose scene is in the gallery, with executed instructions a pixel of the whole frame with
+/// colour packing at 320x240, one ray a pixel, built with the flags that suit it best (single precision,
+/// fast-math).
 pub struct Peer {
     /// The scene, by the gallery's name.
     pub scene: &'static str,

@@ -30,7 +30,8 @@ impl Counts {
         })
     }
 
-    /// Answers each address with the addresses of the calls that led there, the outermost first, and its count.
+    /// Answers each address with the addresses of the calls that led there, the outermost first, and its
+    /// count.
     pub fn by_sites(&self) -> impl Iterator<Item = (Vec<u32>, u64)> {
         self.counts.iter().map(|((call, address), count)| {
             let mut sites = vec![*address];
@@ -51,7 +52,8 @@ impl Counts {
 pub struct Instruction {
     /// Bytes it takes.
     pub length: u32,
-    /// Whether it may call a function; a branch that is too far away for others takes the same form on the M0+.
+    /// Whether it may call a function; a branch that is too far away for others takes the same form on the
+    /// M0+.
     pub calls: bool,
     /// Whether it is the first of a function.
     pub begins: bool,

@@ -1,7 +1,7 @@
 //! Where the instructions go: an exact count of every executed address, by stage, shape and function.
 //!
-//! QEMU logs each instruction of the very image that the bench measures, so that nothing is perturbed; the image's debug
-//! information tells which functions an address belongs to, inlined ones and callers included.
+//! QEMU logs each instruction of the very image that the bench measures, so that nothing is perturbed; the
+//! image's debug information tells which functions an address belongs to, inlined ones and callers included.
 
 mod calls;
 mod report;

@@ -29,24 +29,29 @@ pub enum Shape {
 use Shape::*;
 use Stage::*;
 
-/// Names stages by a part of a function's path and by a part of its type parameters, if these matter. Of the functions
-/// that an instruction lies in, the innermost that is listed decides; of its lines here, the first.
-const STAGES: [(&str, &str, Stage); 13] = [
+/// Names stages by a part of a function's path and by a part of its type parameters, if these matter. Of the
+/// functions that an instruction lies in, the innermost that is listed decides; of its lines here, the first.
+const STAGES: [(&str, &str, Stage); 16] = [
+    ("scanray::camera::section", "", Candidates),
+    ("scanray::camera::fan", "", Candidates),
     ("scanray::camera", "", Rays),
-    ("scanray::render::candidates", "", Candidates),
-    ("scanray::trace::visibility::occluded", "", Shadows),
-    // The candidates of a row are a chain; what is not seen from the eye is looked for among all objects.
-    ("scanray::trace::visibility::nearest", "Chain", Hits),
-    ("scanray::trace::visibility::nearest", "", Bounces),
-    ("scanray::trace::bounce::unit_reflection", "", Bounces),
-    ("scanray::trace::shade::shadowed", "", Shadows),
+    ("scanray::render::spans", "", Candidates),
+    ("scanray::trace::tracer::Tracer::seek_mirrored", "", Bounces),
+    ("scanray::trace::tracer::unit_reflection", "", Bounces),
+    ("scanray::trace::tracer::gather", "", Bounces),
+    ("scanray::trace::visibility", "", Hits),
+    ("scanray::trace::vicinity", "", Shadows),
+    ("scanray::trace::shadow", "", Shadows),
     ("scanray::trace::shade", "", Shading),
-    ("scanray::trace::bounce::Tracer::arrive", "", Shading),
+    ("scanray::trace::tracer", "visit", Shading),
     ("scanray::brdf", "", Shading),
     ("scanray::environment", "", Shading),
     ("scanray::light", "", Shading),
     ("scanray::output", "", Encoding),
 ];
+
+/// Is the function below which a search for hits is a search for what mirrors show.
+const MIRRORED: &str = "scanray::trace::tracer::Tracer::seek_mirrored";
 
 const SHAPES: [(&str, Shape); 4] = [
     ("scanray::shape::sphere", Sphere),
@@ -58,7 +63,10 @@ const SHAPES: [(&str, Shape); 4] = [
 impl Stage {
     /// Answers the stage of an instruction by the functions it lies in, the outermost first.
     pub fn of(frames: &[&str]) -> Self {
-        frames.iter().rev().find_map(|frame| Self::of_function(frame)).unwrap_or(Other)
+        match frames.iter().rev().find_map(|frame| Self::of_function(frame)) {
+            Some(Hits) if frames.iter().any(|frame| plain(frame).contains(MIRRORED)) => Bounces,
+            found => found.unwrap_or(Other),
+        }
     }
 
     fn of_function(frame: &str) -> Option<Self> {
@@ -91,8 +99,8 @@ impl fmt::Display for Shape {
     }
 }
 
-/// Answers the innermost function of the core or of the compiler's helpers: what others say of themselves, such as that
-/// they multiply, tells little.
+/// Answers the innermost function of the core or of the compiler's helpers: what others say of themselves,
+/// such as that they multiply, tells little.
 pub fn telling(frames: &[&str]) -> String {
     let paths: Vec<String> = frames.iter().map(|frame| plain(frame)).collect();
     let is_telling = |path: &&String| path.starts_with("scanray") || path.starts_with("__");
@@ -130,10 +138,14 @@ mod tests {
 
     #[test]
     fn the_innermost_listed_function_decides() {
-        let nearest = "scanray::trace::visibility::nearest::<f32, core::iter::Chain<A, B>>";
+        let nearest = "scanray::trace::visibility::nearest::<f32, Infallible>";
         let sphere = "<scanray::shape::sphere::Sphere<f32> as scanray::shape::Intersect<f32>>::intersect";
-        assert_eq!(Stage::of(&["scanray::trace::bounce::Tracer::arrive", nearest, sphere, "f32::mul"]), Hits);
-        assert_eq!(Stage::of(&["scanray::trace::visibility::nearest::<f32, Range<u16>>"]), Bounces);
+        let mirrored = "<scanray::trace::tracer::Tracer<f32, Infallible>>::seek_mirrored";
+        assert_eq!(
+            Stage::of(&["scanray::trace::tracer::Tracer::radiance", nearest, sphere, "f32::mul"]),
+            Hits
+        );
+        assert_eq!(Stage::of(&[mirrored, nearest, sphere]), Bounces);
         assert_eq!(Stage::of(&["measure::main"]), Other);
         assert_eq!(Shape::of(&[nearest, sphere]), Some(Sphere));
         assert_eq!(Shape::of(&[nearest]), None);
