@@ -1,4 +1,4 @@
-use super::visibility::Departure;
+use super::departure::Departure;
 use crate::color::Rgb;
 use crate::hit::{Crossing, Surface};
 use crate::math::{Scalar, Vec3};

@@ -1,5 +1,6 @@
 //! Tracing: what a ray meets, how the surface is lit, where the light goes on.
 
+mod departure;
 mod lane;
 mod observer;
 mod shade;
@@ -8,8 +9,9 @@ mod tracer;
 mod vicinity;
 mod visibility;
 
+pub use departure::Departure;
 pub use lane::LANES;
 pub use observer::{Observer, RayCounts, RayKind};
 pub use tracer::{Packet, Tracer};
 pub use vicinity::Vicinities;
-pub use visibility::{Candidates, Departure};
+pub use visibility::Candidates;

@@ -1,7 +1,7 @@
+use super::departure::Departure;
 use super::observer::{Observer, RayKind};
 use super::shadow::Query;
 use super::vicinity::Vicinities;
-use super::visibility::Departure;
 use crate::brdf;
 use crate::color::Rgb;
 use crate::hit::Surface;

@@ -1,5 +1,5 @@
+use super::departure::Departure;
 use super::vicinity::{NOTED, Vicinity};
-use super::visibility::Departure;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;

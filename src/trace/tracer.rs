@@ -1,8 +1,9 @@
+use super::departure::Departure;
 use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
 use super::shade::{Shader, Site};
 use super::vicinity::Vicinities;
-use super::visibility::{Candidates, Departure, arrive, nearest};
+use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
 use crate::hit::Surface;
 use crate::material::Material;

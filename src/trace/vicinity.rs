@@ -5,7 +5,7 @@
 //! in the cube only those are asked for shadows. What is noted never decides: it leaves out only
 //! objects that no shadow ray of the cube can meet.
 
-use super::visibility::Departure;
+use super::departure::Departure;
 use crate::aabb::Aabb;
 use crate::hull::Hull;
 use crate::light::Light;

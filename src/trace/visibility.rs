@@ -7,20 +7,6 @@ use crate::scene::Scene;
 use crate::shape::{Intersect, dispatch};
 use core::ops::Range;
 
-/// Names the object on whose surface a ray starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure {
-    /// Place of the object in the scene's list.
-    pub index: u16,
-    /// Whether the ray leaves a convex shape outward: then it never meets it again.
-    pub free: bool,
-}
-
-impl Departure {
-    /// Stands for a start off all surfaces.
-    pub const NOWHERE: Self = Self { index: u16::MAX, free: true };
-}
-
 /// Names the objects a ray may meet, by their places in the scene's list, in rising order.
 #[derive(Clone, Debug)]
 pub struct Candidates<'c> {

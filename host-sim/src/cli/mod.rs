@@ -10,6 +10,7 @@ mod progress;
 mod race;
 mod render;
 mod report;
+mod words;
 
 pub use error::Error;
 

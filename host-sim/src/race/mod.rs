@@ -13,7 +13,7 @@ mod window;
 
 pub use balls::balls;
 pub use fault::Fault;
-pub use rival::{Drawn, RIVALS, Rival};
+pub use rival::{Drawn, Rival};
 
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
@@ -24,6 +24,9 @@ use scanray::gallery::{View, double, float};
 use scanray::{Dither, Transfer};
 use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
+
+/// Lists the programs this renderer is measured against.
+pub const RIVALS: [Rival; 2] = [povray::POVRAY, tachyon::TACHYON];
 
 /// Is the name of this renderer among the others.
 const OURS: &str = "scanray";
@@ -161,4 +164,32 @@ fn draw(view: &View<f32>, size: [u32; 2]) -> Result<Drawn, Fault> {
 fn field() -> Vec<usize> {
     let all = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
     if all > 1 { vec![1, all] } else { vec![1] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::povray::POVRAY;
+    use super::rival::time_after;
+    use super::tachyon::TACHYON;
+    use super::*;
+
+    #[test]
+    fn the_time_is_found_in_what_each_program_prints() {
+        let povray = "  Photon Time: 0\n  Trace Time:       0 hours  1 minutes  1 seconds (61.039 seconds)\n      using 2 thread(s) with 2.0 CPU-seconds total\n";
+        assert_eq!(time_after(POVRAY.label, povray), Some(Duration::from_millis(61_039)));
+        let tachyon = "\r 100% complete \n  Ray Tracing Time:     0.7606 seconds\n    Image I/O Time:     0.2703 seconds\n";
+        assert_eq!(time_after(TACHYON.label, tachyon), Some(Duration::from_micros(760_600)));
+        assert_eq!(time_after(TACHYON.label, povray), None);
+    }
+
+    #[test]
+    fn a_program_that_is_not_there_is_named_with_its_package() {
+        let rival = Rival { name: "no-such-program", package: "its-package", ..POVRAY };
+        let view = scanray::gallery::double::C_RAY;
+        let fault = rival.draw(&Plain::of(&view, [4, 3]).unwrap(), 1).unwrap_err().to_string();
+        assert!(
+            fault.contains("no-such-program") && fault.contains("apt-get install its-package"),
+            "{fault}"
+        );
+    }
 }

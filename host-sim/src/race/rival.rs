@@ -1,16 +1,11 @@
 use super::Fault;
 use super::plain::Plain;
-use super::povray::POVRAY;
-use super::tachyon::TACHYON;
 use crate::shot::Picture;
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Duration;
 use std::{fs, io};
-
-/// Lists the programs this renderer is measured against.
-pub const RIVALS: [Rival; 2] = [POVRAY, TACHYON];
 
 /// Is a program that draws scenes.
 #[derive(Clone, Copy, Debug)]
@@ -75,34 +70,9 @@ fn last_words(said: &str) -> String {
 }
 
 /// Finds the seconds in the line after a label: the number before the line's last word, which is theirs.
-fn time_after(label: &str, said: &str) -> Option<Duration> {
+pub(super) fn time_after(label: &str, said: &str) -> Option<Duration> {
     let (_, after) = said.split_once(label)?;
     let (before, _) = after.lines().next()?.rsplit_once(" seconds")?;
     let number = before.rsplit([' ', '(']).next()?;
     Duration::try_from_secs_f64(number.parse().ok()?).ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_time_is_found_in_what_each_program_prints() {
-        let povray = "  Photon Time: 0\n  Trace Time:       0 hours  1 minutes  1 seconds (61.039 seconds)\n      using 2 thread(s) with 2.0 CPU-seconds total\n";
-        assert_eq!(time_after(POVRAY.label, povray), Some(Duration::from_millis(61_039)));
-        let tachyon = "\r 100% complete \n  Ray Tracing Time:     0.7606 seconds\n    Image I/O Time:     0.2703 seconds\n";
-        assert_eq!(time_after(TACHYON.label, tachyon), Some(Duration::from_micros(760_600)));
-        assert_eq!(time_after(TACHYON.label, povray), None);
-    }
-
-    #[test]
-    fn a_program_that_is_not_there_is_named_with_its_package() {
-        let rival = Rival { name: "no-such-program", package: "its-package", ..POVRAY };
-        let view = scanray::gallery::double::C_RAY;
-        let fault = rival.draw(&Plain::of(&view, [4, 3]).unwrap(), 1).unwrap_err().to_string();
-        assert!(
-            fault.contains("no-such-program") && fault.contains("apt-get install its-package"),
-            "{fault}"
-        );
-    }
 }

@@ -1,0 +1,46 @@
+//! The words of the command line for the choices that the rest of the crate knows.
+
+use crate::panel::Panel;
+use crate::shot::{Number, Quality};
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
+
+impl ValueEnum for Quality {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Exact, Self::Adaptive]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Exact => PossibleValue::new("exact").help("Every pixel is traced"),
+            Self::Adaptive => {
+                PossibleValue::new("adaptive").help("What lies between pixels that see the same is filled in")
+            }
+        })
+    }
+}
+
+impl ValueEnum for Number {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(match self {
+            Self::F32 => "The core in f32, for chips with a floating-point unit",
+            Self::Fixed => "The core in fixed point, for chips without one",
+            Self::Exact => "The core in f64",
+            Self::Oracle => "The f64 reference, which shares no code with the core",
+        }))
+    }
+}
+
+impl ValueEnum for Panel {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()))
+    }
+}
