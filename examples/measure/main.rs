@@ -1,8 +1,9 @@
 //! Firmware: a Cortex-M renders one scene and says what it costs; `cargo sim bench` builds, runs and
 //! tabulates it.
 //!
-//! The scene is chosen when it is built, by the environment variable `SCANRAY_SCENE`, so that the image holds
-//! that scene alone. With a floating-point unit the number is `f32`, without one it is fixed point.
+//! Scene and mode are chosen when it is built, by the environment variables `SCANRAY_SCENE` and `SCANRAY_MODE`
+//! (`exact` or `adaptive`), so that the image holds these alone. With a floating-point unit the number is
+//! `f32`, without one it is fixed point.
 //!
 //! There is no panel: rows go into a buffer, as for a display that is fed by DMA. Everything is said by
 //! semihosting.
