@@ -51,15 +51,11 @@ struct View {
 fn view() -> impl Strategy<Value = View> {
     let projection = [0.0..3.0, 5.0..150.0, -3.0..3.0, 0.1..3.0, 0.1..3.0];
     // Half of the eyes are so near that shapes lie around and behind them.
-    (prop_oneof![point(3.0), point(12.0)], point(6.0), point(1.0), projection, [point(12.0), point(12.0)])
-        .prop_map(|(eye, center, up, projection, lights)| View {
-            eye,
-            center,
-            up,
-            projection,
-            near: 0.0,
-            lights,
-        })
+    let eye = prop_oneof![point(3.0), point(12.0)];
+    let near = prop_oneof![Just(0.0), 0.1..3.0];
+    (eye, point(6.0), point(1.0), projection, near, [point(12.0), point(12.0)]).prop_map(
+        |(eye, center, up, projection, near, lights)| View { eye, center, up, projection, near, lights },
+    )
 }
 
 fn vector<S: Scalar>(number: fn(f64) -> S, [x, y, z]: Point) -> Vec3<S> {
@@ -89,7 +85,7 @@ fn camera<S: Scalar>(number: fn(f64) -> S, view: &View) -> Camera<S> {
         Projection::Frustum { left: n(left), right: n(right), bottom: n(-0.3 * height), top: n(0.7 * height) }
     };
     let points = [view.eye, view.center, view.up].map(|p| vector(number, p));
-    Camera::new(points, projection, [n(if kind < 2.0 { view.near } else { 0.5 }), n(100.0)])
+    Camera::new(points, projection, [n(if kind < 2.0 { view.near } else { view.near.max(0.5) }), n(100.0)])
 }
 
 /// Draws with and without culling, and answers what differs first.

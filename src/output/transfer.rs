@@ -12,7 +12,7 @@ pub enum Transfer {
 ///
 /// 1024 pieces, 2 KB, keep the chords within 3e-4 of the curve where it bends most and within 4e-5
 /// from a light of 1/64 on: 1/13 and 1/100 of a step of an 8-bit channel. A pixel reads its piece
-/// in 12 instructions; pieces that follow the bend, in a table of a third, took 25.
+/// in 12 instructions; pieces that double with the light, in a table of a third, took 18.
 const PIECE_BITS: u32 = 14;
 const PIECES: usize = 1 << (24 - PIECE_BITS);
 

@@ -20,8 +20,10 @@ use heapless::Vec;
 /// Is how far apart pixels are that are always traced.
 const STEP: u32 = 8;
 
-/// Is the most columns of a segment in which every pixel is traced: the span of an object narrower
-/// than a step, rounded outward, is no wider, so that such an object is never lost. (A span has up to two columns more on either side.)
+/// Is the most columns of a segment in which every pixel is traced.
+///
+/// The span of an object narrower than a step, rounded outward by up to two columns on either side, is
+/// no wider: such an object is never lost.
 const NARROW: u32 = 12;
 
 /// Is how many columns one packet of samples reaches.

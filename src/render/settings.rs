@@ -3,8 +3,8 @@ use crate::output::{Dither, Transfer};
 
 /// Is how much of a picture is traced: [`Exact`] or [`Adaptive`].
 ///
-/// It is a type, so that firmware carries the code of the quality it draws in and of no other: 12 to
-/// 14 KB for each.
+/// It is a type, so that firmware carries the code of the quality it draws in and of no other: a choice at
+/// run time made every image 12 to 14 KB larger.
 pub trait Quality: Copy + Default + sealed::Sealed {
     /// Whether pixels may be filled in.
     const FILLS_IN: bool;

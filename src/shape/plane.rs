@@ -37,8 +37,8 @@ enum Across {
 }
 
 impl<S: Scalar> Plane<S> {
-    /// Most planes of a scene are floors and walls, and need neither products nor a root: on a
-    /// Cortex-M0+ a third of the instructions of a floor's pixel.
+    /// Most planes of a scene are floors and walls: to meet one takes a division, to stand on it no
+    /// product and no root.
     fn across(&self) -> Across {
         let Vec3 { x, y, z } = self.normal;
         match (x == S::ZERO, y == S::ZERO, z == S::ZERO) {

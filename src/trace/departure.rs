@@ -1,6 +1,6 @@
 /// Names the object on whose surface a ray starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure {
+pub(super) struct Departure {
     /// Place of the object in the scene's list.
     pub index: u16,
     /// Whether the ray leaves a convex shape outward: then it never meets it again.

@@ -9,7 +9,6 @@ mod tracer;
 mod vicinity;
 mod visibility;
 
-pub use departure::Departure;
 pub use lane::LANES;
 pub use observer::{Observer, RayCounts, RayKind};
 pub use tracer::{Packet, Tracer};
