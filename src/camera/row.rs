@@ -42,7 +42,11 @@ impl<'f, S: Scalar> Row<'f, S> {
 
     /// Goes on to a column without making the rays before it; columns passed are not gone back to.
     pub fn skip_to(&mut self, x: u32) {
-        while self.x < index(x) {
+        let x = index(x);
+        if x - x % ANCHOR > self.x {
+            *self = Self::new(self.frame, self.start, x);
+        }
+        while self.x < x {
             self.advance();
         }
     }

@@ -86,6 +86,10 @@ pub trait Scalar:
     fn pow_unit(self, exponent: u16) -> Self;
     /// Scales a vector to unit length and answers it with the length it had; `None` for zero.
     fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)>;
+    /// Scales a vector of about a known length, above 0, like [`Self::normalize`].
+    fn normalize_near(v: [Self; 3], _length: Self) -> Option<([Self; 3], Self)> {
+        Self::normalize(v)
+    }
     /// Converts light to an integer: 0 is none, 2^24 is 1, more light is more; rounds down, saturates.
     fn light_bits(self) -> u32;
     /// Tells whether a scene may contain this value: a number, no larger than [`Self::LIMIT`].

@@ -68,6 +68,20 @@ impl<S: Scalar> Vec3<S> {
         Some((Self::from_array(unit), length))
     }
 
+    /// Scales what is all but of unit length to unit length: `v (3 - v.v) / 2`, one step of Newton's towards
+    /// 1 / |v|, which leaves 3/2 of the square of what it was off.
+    pub fn straighten(self) -> Self {
+        self * ((S::from_i32(3) - self.dot(self)) * S::HALF)
+    }
+
+    /// Scales to unit length and answers the length too; `None` for a vector of no length.
+    ///
+    /// Faster than [`Vec3::normalize`] where the length is about the one given.
+    pub fn normalize_near(self, length: S) -> Option<(Self, S)> {
+        let (unit, length) = S::normalize_near(self.to_array(), length)?;
+        Some((Self::from_array(unit), length))
+    }
+
     /// Answers the length.
     pub fn length(self) -> S {
         S::sqrt(self.dot_wide(self))

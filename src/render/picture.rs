@@ -6,7 +6,7 @@ use crate::math::Scalar;
 use crate::output::{Encode, Quantizer};
 use crate::scene::Scene;
 use crate::shape::Intersect;
-use crate::trace::{LANES, Observer, Tracer, Vicinities};
+use crate::trace::{LANES, Observer, RayKind, Tracer, Vicinities};
 use core::ops::Range;
 use embedded_graphics_core::geometry::Size;
 
@@ -44,16 +44,27 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         let Scratch { packet, spans, vicinities } = scratch;
         spans.enter_row(&self.scene, &self.frame, y);
         let mut tracer = self.tracer(vicinities);
-        let mut rays = self.frame.row(y, columns.start).map(|primary| (primary.ray, primary.interval));
+        let mut row = self.frame.row(y, columns.start);
         let mut x = columns.start;
         while x < columns.end {
             let stop = spans.enter_column(x).clamp(x + 1, columns.end);
-            let together = (stop - x).min(LANES as u32);
-            let light =
-                tracer.radiance(packet, rays.by_ref().take(together as usize), spans.candidates(), observer);
-            for light in light {
-                pixel(x, *light);
-                x += 1;
+            if let (true, Some(light)) = (spans.candidates().is_empty(), tracer.background()) {
+                while x < stop {
+                    observer.ray(RayKind::Primary);
+                    observer.met(0, u16::MAX, 0);
+                    pixel(x, light);
+                    x += 1;
+                }
+                continue;
+            }
+            row.skip_to(x);
+            while x < stop {
+                let together = (stop - x).min(LANES as u32);
+                let rays = row.by_ref().take(together as usize).map(|primary| (primary.ray, primary.interval));
+                for light in tracer.radiance(packet, rays, spans.candidates(), observer) {
+                    pixel(x, *light);
+                    x += 1;
+                }
             }
         }
     }

@@ -21,6 +21,8 @@ pub(super) struct Site<'a, S: Scalar> {
     pub ambient: Rgb<S>,
     /// Where the viewer looks to, unit length.
     pub direction: Vec3<S>,
+    /// Cosine between the normal and the way to the viewer.
+    pub facing: S,
     /// Distance to the viewer.
     pub distance: S,
     /// The surface from which rays to the lights start.
@@ -53,7 +55,7 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
             let cosine = brdf::lambert(site.surface.normal, direction);
             if cosine > S::ZERO && !self.shadowed(site, number, direction, distance, observer) {
                 observer.lit(site.lane, number);
-                sum += light.color() * (color * cosine + highlight(site, direction));
+                sum += light.color() * (color * cosine + highlight(site, direction, cosine));
             }
         }
         sum
@@ -97,10 +99,11 @@ fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>,
     }
 }
 
-fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>) -> Rgb<S> {
+fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>, cosine: S) -> Rgb<S> {
     let material = site.material;
     if !material.specular.is_lit() {
         return Rgb::BLACK;
     }
-    material.specular * brdf::phong(site.surface.normal, to_light, -site.direction, material.shininess)
+    let cosines = [cosine, site.facing, -to_light.dot(site.direction)];
+    material.specular * brdf::phong(cosines, material.shininess)
 }

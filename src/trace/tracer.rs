@@ -5,6 +5,7 @@ use super::shade::{Shader, Site};
 use super::vicinity::Vicinities;
 use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
+use crate::environment::Sky;
 use crate::hit::Surface;
 use crate::material::Material;
 use crate::math::{Scalar, Vec3};
@@ -78,6 +79,14 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     pub fn with_eye(mut self, eye: Option<Vec3<S>>) -> Self {
         self.eye = eye;
         self
+    }
+
+    /// Answers the light of rays that meet nothing, where it is the same in all directions.
+    pub fn background(&self) -> Option<Rgb<S>> {
+        match self.scene.sky {
+            Sky::Solid(light) => Some(self.exposure * light),
+            _ => None,
+        }
     }
 
     /// Answers the light that comes along some primary rays, linear, of any magnitude; of more
@@ -177,14 +186,17 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         for lane in lanes {
             let direction = lane.ray.direction;
             let mut surface = lane.surface();
-            let outside = surface.normal.dot(direction) <= S::ZERO;
+            let slope = surface.normal.dot(direction);
+            let outside = slope <= S::ZERO;
             if !outside {
                 surface.normal = -surface.normal;
             }
             let from = Departure { index: lane.met, free: outside && convex };
             observer.met(lane.number, lane.met, tile(material, &surface));
             let (distance, number) = (lane.interval.far, lane.number);
-            let site = Site { surface, material, ambient, direction, distance, from, level, lane: number };
+            let facing = slope.abs();
+            let site =
+                Site { surface, material, ambient, direction, facing, distance, from, level, lane: number };
             let sent = self.shader.direct(&site, observer);
             self.add(level, lane, sent, light);
             if reflects {
@@ -217,20 +229,18 @@ fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
 /// Answers the mirror direction, of unit length again so that rounding does not grow from bounce
 /// to bounce.
 fn unit_reflection<S: Scalar>(direction: Vec3<S>, normal: Vec3<S>) -> Vec3<S> {
-    let mirrored = direction.reflect(normal);
-    mirrored.normalize().map_or(mirrored, |(unit, _)| unit)
+    direction.reflect(normal).straighten()
 }
 
 /// Moves the lanes whose weight is more than `faint` to the front and answers how many they are.
 fn gather<S: Scalar>(lanes: &mut [Lane<S>], faint: S) -> usize {
     let mut going = 0;
     for at in 0..lanes.len() {
-        if lanes.get(at).is_some_and(|lane| lane.weight.max() > faint) {
-            if at != going {
-                lanes.swap(at, going);
-            }
-            going += 1;
+        let Some(lane) = lanes.get(at).filter(|lane| lane.weight.max() > faint).copied() else { continue };
+        if let Some(place) = lanes.get_mut(going).filter(|_| at != going) {
+            *place = lane;
         }
+        going += 1;
     }
     going
 }

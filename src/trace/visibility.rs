@@ -4,7 +4,7 @@ use super::lane::Lane;
 use crate::math::{Scalar, Vec3};
 use crate::ray::Ray;
 use crate::scene::Scene;
-use crate::shape::{Intersect, dispatch};
+use crate::shape::{Intersect, Shape, dispatch};
 use core::ops::Range;
 
 /// Names the objects a ray may meet, by their places in the scene's list, in rising order.
@@ -14,6 +14,13 @@ pub struct Candidates<'c> {
     pub named: &'c [u16],
     /// All objects from one place on.
     pub rest: Range<u16>,
+}
+
+impl Candidates<'_> {
+    /// Tells whether no object is named.
+    pub fn is_empty(&self) -> bool {
+        self.named.is_empty() && self.rest.is_empty()
+    }
 }
 
 impl Candidates<'static> {
@@ -35,13 +42,27 @@ pub(super) fn nearest<S: Scalar, X: Intersect<S>>(
     let Candidates { named, rest } = candidates;
     for index in named.iter().copied().chain(rest) {
         let Some(object) = scene.objects.get(usize::from(index)) else { continue };
-        dispatch!(&object.shape, shape => look(shape, index, eye, lanes));
+        match (eye, &object.shape) {
+            (Some(eye), Shape::Sphere(sphere)) => look_out(sphere, index, eye, lanes),
+            (_, shape) => dispatch!(shape, shape => look(shape, index, lanes)),
+        }
     }
 }
 
-fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, eye: Option<Vec3<S>>, lanes: &mut [Lane<S>]) {
+/// Asks a shape about rays from one point off all surfaces: what the shape works out of that point alone is
+/// worked out once.
+fn look_out<S: Scalar>(shape: &impl Intersect<S>, index: u16, eye: Vec3<S>, lanes: &mut [Lane<S>]) {
     for lane in lanes {
-        let ray = Ray::new(eye.unwrap_or(lane.ray.origin), lane.ray.direction);
+        if let Some(crossing) = shape.intersect(&Ray::new(eye, lane.ray.direction), &lane.interval) {
+            lane.meet(index, crossing);
+        }
+    }
+}
+
+/// Asks a shape about rays that each have their own start.
+fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>]) {
+    for lane in lanes {
+        let ray = lane.ray;
         let crossing = if lane.from.index != index {
             shape.intersect(&ray, &lane.interval)
         } else if lane.from.free {
