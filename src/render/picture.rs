@@ -60,7 +60,8 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
             row.skip_to(x);
             while x < stop {
                 let together = (stop - x).min(LANES as u32);
-                let rays = row.by_ref().take(together as usize).map(|primary| (primary.ray, primary.interval));
+                let rays =
+                    row.by_ref().take(together as usize).map(|primary| (primary.ray, primary.interval));
                 for light in tracer.radiance(packet, rays, spans.candidates(), observer) {
                     pixel(x, *light);
                     x += 1;

@@ -77,20 +77,12 @@ impl<S: Scalar> Cuboid<S> {
             _ => self.high.z,
         }
     }
+}
 
-    /// Answers a point's place between the low and the high corner, from 0 to below 1 on each axis.
-    fn place(&self, point: Vec3<S>) -> Vec3<S> {
-        let share = |p: S, low: S, high: S| {
-            let share = (p - low).ratio(high - low);
-            // A rounding beyond the rim would be a tile too far.
-            share.max(S::ZERO).min(S::BELOW_ONE)
-        };
-        Vec3::new(
-            share(point.x, self.low.x, self.high.x),
-            share(point.y, self.low.y, self.high.y),
-            share(point.z, self.low.z, self.high.z),
-        )
-    }
+/// Answers a coordinate's place between two others, from 0 to below 1.
+fn share<S: Scalar>(p: S, low: S, high: S) -> S {
+    // A rounding beyond the rim would be a tile too far.
+    (p - low).ratio(high - low).max(S::ZERO).min(S::BELOW_ONE)
 }
 
 fn crossing<S: Scalar>((t, part): (S, u16)) -> Crossing<S> {
@@ -126,11 +118,14 @@ impl<S: Scalar> Intersect<S> for Cuboid<S> {
             2 | 3 => (point.y, normal.y) = (level, outward),
             _ => (point.z, normal.z) = (level, outward),
         }
-        let place = self.place(point);
+        let Self { low, high } = self;
+        let x = || share(point.x, low.x, high.x);
+        let y = || share(point.y, low.y, high.y);
+        let z = || share(point.z, low.z, high.z);
         let (u, v) = match found.part {
-            0 | 1 => (place.y, place.z),
-            2 | 3 => (place.x, place.z),
-            _ => (place.x, place.y),
+            0 | 1 => (y(), z()),
+            2 | 3 => (x(), z()),
+            _ => (x(), y()),
         };
         Surface { point, normal, u, v, part: found.part }
     }

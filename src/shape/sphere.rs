@@ -101,7 +101,8 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
 
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
         let rough = ray.at(crossing.t);
-        let (normal, distance) = (rough - self.center).normalize_near(self.radius).unwrap_or((-ray.direction, self.radius));
+        let (normal, distance) =
+            (rough - self.center).normalize_near(self.radius).unwrap_or((-ray.direction, self.radius));
         Surface {
             // Moved along the normal by what rounding left: on a ball of radius 999 fixed point is
             // 4e-5 off without this and 2e-6 with it.
