@@ -11,6 +11,10 @@ pub enum Fault {
     OutOfRange,
     /// A mirror's weight is not from 0 to 1.
     MirrorWeight,
+    /// What glass lets through is not from 0 to what its mirror leaves of 1.
+    Transmission,
+    /// A refractive index is not from 1/8 to 8.
+    RefractiveIndex,
     /// A radius is zero or negative.
     RadiusNotPositive,
     /// Corners coincide or lie on a line.
@@ -32,6 +36,10 @@ impl fmt::Display for Fault {
                 "a value is not a number, too large for the number type, or light below 0 or above 1024",
             ),
             Self::MirrorWeight => f.write_str("its mirror weight is not between 0 and 1"),
+            Self::Transmission => {
+                f.write_str("its transmission is not between 0 and what its mirror leaves of 1")
+            }
+            Self::RefractiveIndex => f.write_str("its refractive index is not between 1/8 and 8"),
             Self::RadiusNotPositive => f.write_str("its radius is not above zero"),
             Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
             Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),

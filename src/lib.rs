@@ -39,7 +39,7 @@
 //! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
 //! - [`ray`], [`hit`], [`aabb`], [`hull`], [`color`], [`fault`]: what everything else speaks of.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
-//! - [`texture`], [`material`], [`brdf`], [`light`], [`environment`]: what surfaces do with light.
+//! - [`texture`], [`material`], [`brdf`], [`glass`], [`light`], [`environment`]: what surfaces do with light.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
 //! - [`camera`]: which ray belongs to which pixel.
 //! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
@@ -67,6 +67,7 @@ pub mod shape;
 
 pub mod brdf;
 pub mod environment;
+pub mod glass;
 pub mod light;
 pub mod material;
 pub mod texture;
@@ -87,6 +88,7 @@ pub use camera::{Camera, CameraError, Projection};
 pub use color::Rgb;
 pub use environment::Sky;
 pub use fault::Fault;
+pub use glass::{Fresnel, Glass};
 pub use light::Light;
 pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};

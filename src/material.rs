@@ -2,6 +2,7 @@
 
 use crate::color::Rgb;
 use crate::fault::Fault;
+use crate::glass::Glass;
 use crate::math::Scalar;
 use crate::texture::Texture;
 
@@ -42,6 +43,8 @@ pub struct Material<S = f32> {
     pub shininess: u16,
     /// Weight of the light that a mirror in its place would show; 0 for none (row R1).
     pub mirror: S,
+    /// What comes through, if anything does (rows R2 and R3).
+    pub glass: Option<Glass<S>>,
 }
 
 impl<S: Scalar> Material<S> {
@@ -64,6 +67,7 @@ impl<S: Scalar> Material<S> {
             specular: Rgb::BLACK,
             shininess: 1,
             mirror: S::ZERO,
+            glass: None,
         }
     }
 
@@ -80,6 +84,12 @@ impl<S: Scalar> Material<S> {
         self
     }
 
+    /// Lets light through.
+    pub const fn with_glass(mut self, glass: Glass<S>) -> Self {
+        self.glass = Some(glass);
+        self
+    }
+
     /// Sets the share of the scene's ambient light.
     pub const fn with_ambient(mut self, share: S) -> Self {
         self.ambient = share;
@@ -89,13 +99,13 @@ impl<S: Scalar> Material<S> {
     /// Tells what is wrong with the material, if anything.
     ///
     /// # Errors
-    /// A value that no scene may contain, or a mirror that gives back more light than it gets.
+    /// A value that no scene may contain, or a mirror or glass that gives more light than it gets.
     pub fn check(&self) -> Result<(), Fault> {
         let usable = self.texture.in_range() && self.ambient.in_range() && self.specular.in_range();
         if !usable {
             Err(Fault::OutOfRange)
         } else if self.mirror >= S::ZERO && self.mirror <= S::ONE {
-            Ok(())
+            self.glass.map_or(Ok(()), |glass| glass.check(self.mirror))
         } else {
             Err(Fault::MirrorWeight)
         }

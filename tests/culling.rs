@@ -3,7 +3,7 @@
 
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
-use scanray::trace::{Candidates, Packet, Tracer};
+use scanray::trace::{Candidates, Packet, Pending, Tracer};
 use scanray::{
     Camera, Cuboid, Fixed, Light, Material, Object, Plane, Projection, Renderer, Rgb, Scalar, Scene,
     Settings, Shape, Sky, Sphere, Triangle, Vec3, Workspace,
@@ -109,7 +109,8 @@ fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Op
     // A scene that is refused has no picture to compare.
     let mut renderer = Renderer::new(&scene, &camera, size, settings, &mut workspace).ok()?;
     let frame = camera.frame(COLUMNS, ROWS).ok()?;
-    let mut brute = Tracer::new(&scene, DEPTH);
+    let mut pending = [Pending::NONE; DEPTH as usize];
+    let mut brute = Tracer::new(&scene, &mut pending);
     for y in 0..ROWS {
         let mut culled = Vec::new();
         renderer.trace_row(y, 0..COLUMNS, &mut (), |_, light| culled.push(light)).ok()?;

@@ -6,7 +6,7 @@ use embedded_graphics::pixelcolor::{Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use scanray::output::Quantizer;
 use scanray::ray::Interval;
-use scanray::trace::{Candidates, Packet, RayCounts, Tracer};
+use scanray::trace::{Candidates, Packet, Pending, RayCounts, Tracer};
 use scanray::{
     Camera, Cuboid, Dither, Encode, Light, Material, Object, Renderer, Rgb, Scene, Settings, Shape, Sky,
     Transfer, Workspace,
@@ -33,7 +33,8 @@ fn between_mirrors<T>(mirror: f32, look: impl FnOnce(&Scene<'_>, &Camera) -> T) 
 /// Traces every ray to its end.
 fn whole(scene: &Scene<'_>, camera: &Camera) -> (Vec<Rgb>, RayCounts) {
     let frame = camera.frame(SIZE, SIZE).expect("a good camera");
-    let mut tracer = Tracer::new(scene, DEPTH);
+    let mut pending = [Pending::NONE; DEPTH as usize];
+    let mut tracer = Tracer::new(scene, &mut pending);
     let mut counts = RayCounts::default();
     let mut light = Vec::new();
     for y in 0..SIZE {
@@ -134,7 +135,8 @@ fn a_ray_of_no_weight_is_not_sent() {
         let frame = camera.frame(SIZE, SIZE).expect("a good camera");
         let row = frame.row(40, 10).map(|found| (found.ray, Interval::AHEAD));
         let mut counts = RayCounts::default();
-        let mut dark = Tracer::new(scene, DEPTH).with_exposure(0.0);
+        let mut pending = [Pending::NONE; DEPTH as usize];
+        let mut dark = Tracer::new(scene, &mut pending).with_exposure(0.0);
         dark.radiance(&mut Packet::new(), row, Candidates::all(scene), &mut counts);
         assert_eq!((counts.primary, counts.reflection), (8, 0));
     });

@@ -99,7 +99,8 @@ fn a_far_sphere_never_hides_a_near_one() {
         let scene = Scene::new(&objects, &materials, &[]);
         let rays = std::iter::once((ray, Interval::AHEAD));
         let mut packet = Packet::new();
-        let light = Tracer::new(&scene, 0).radiance(&mut packet, rays, Candidates::all(&scene), &mut ())[0];
+        let light =
+            Tracer::new(&scene, &mut []).radiance(&mut packet, rays, Candidates::all(&scene), &mut ())[0];
         assert_eq!(light, Rgb::WHITE);
     }
 }

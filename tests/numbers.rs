@@ -245,6 +245,37 @@ fn powers_of_cosines_are_right() {
 }
 
 #[test]
+fn falling_exponentials_are_right_from_1_to_nothing() {
+    let ways = || (0..60_000).map(|i| f64::from(i) / 2000.0);
+    let off = |x: f32| f64::from(x.exp_neg()) / (-f64::from(x)).exp() - 1.0;
+    worst_error(2e-7 + 30.0 * 1e-7, ways().map(|x| off(x as f32)));
+    worst_error(2e-13, ways().map(|x| x.exp_neg() / (-x).exp() - 1.0));
+    let fixed = |x: f64| Fixed::new(x).exp_neg().to_f64() - (-Fixed::new(x).to_f64()).exp();
+    worst_error(3.0 * STEP, ways().map(fixed));
+    assert_eq!((1e30_f32.exp_neg(), f64::INFINITY.exp_neg(), Fixed::MAX.exp_neg()), (0.0, 0.0, Fixed::ZERO));
+    assert_eq!(((-3.0_f32).exp_neg(), Fixed::MIN.exp_neg()), (1.0, Fixed::ONE));
+    assert_eq!(f32::NAN.exp_neg(), 0.0);
+}
+
+#[test]
+fn nearly_known_lengths_are_brought_to_unit_length() {
+    let vectors = || directions().flat_map(|v| [-1e-3, -2e-4, 0.0, 1e-5, 3e-4, 0.5].map(|off| (v, off)));
+    let off = |(v, off): ([f64; 3], f64)| {
+        let (unit, length) =
+            Vec3::from_array(v).normalize_near(Vec3::from_array(v).length() * (1.0 + off))?;
+        let exact = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        Some((unit.length() - 1.0).abs().max((length / exact - 1.0).abs()))
+    };
+    assert!(vectors().filter_map(off).all(|off| off < 1e-14));
+    let short = |v: [f64; 3]| Vec3::from_array(v.map(|c| c as f32)).normalize();
+    let off = |(unit, _): (Vec3<f32>, f32)| {
+        let stretched = (unit * 1.0003).straighten().to_array().map(f64::from);
+        stretched.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0
+    };
+    worst_error(4e-7, directions().filter_map(short).map(off));
+}
+
+#[test]
 fn tangents_of_half_angles_are_right() {
     let angles = || (1..=1200).map(|i| f64::from(i) / 10.0);
     let exact = |degrees: f64| (degrees.to_radians() / 2.0).tan();

@@ -3,7 +3,7 @@
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use scanray::render::Spans;
-use scanray::trace::{Candidates, Packet, Tracer};
+use scanray::trace::{Candidates, Packet, Pending, Tracer};
 use scanray::{
     Camera, Cuboid, Material, Object, Plane, Projection, Renderer, Rgb, Scene, Settings, Shape, Sky, Sphere,
     Triangle, Vec3, Workspace,
@@ -65,7 +65,8 @@ proptest! {
         for y in 0..ROWS {
             let mut culled = Vec::new();
             renderer.trace_row(y, 0..COLUMNS, &mut (), |_, light| culled.push(light)).expect("a row of the picture");
-            let mut tracer = Tracer::new(&scene, 2);
+            let mut pending = [Pending::NONE; 2];
+            let mut tracer = Tracer::new(&scene, &mut pending);
             let mut packet = Packet::new();
             let brute = frame.row(y, 0).take(COLUMNS as usize).map(|found| {
                 let ray = std::iter::once((found.ray, found.interval));

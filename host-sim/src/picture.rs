@@ -61,6 +61,7 @@ pub fn trace<S: Scalar + Send + Sync>(
         primary: sum.primary + band.rays.primary,
         shadow: sum.shadow + band.rays.shadow,
         reflection: sum.reflection + band.rays.reflection,
+        refraction: sum.refraction + band.rays.refraction,
     });
     Ok(Film { size, light: bands.into_iter().flat_map(|band| band.light).collect(), rays })
 }

@@ -1,8 +1,5 @@
 //! The scene of `tinyraytracer` (D. Sokolov, github.com/ssloy/tinyraytracer), in linear levels as
 //! there.
-//!
-//! Refraction is not part of this tracer yet: the second ball, of glass there, shows its highlight
-//! and its reflection and is black where the light that comes through it belongs.
 
 super::in_every_number! {
     static OBJECTS: [Object<S>; 5] = [
@@ -16,10 +13,10 @@ super::in_every_number! {
     // Colours are the original's times its diffuse weight.
     static MATERIALS: [Material<S>; 5] = [
         Material::matte(rgb(0.24, 0.24, 0.18)).with_specular(gray(0.3), 50).with_mirror(n(0.1)),
-        Material::matte(Rgb::BLACK).with_specular(gray(0.5), 125).with_mirror(n(0.1)),
+        Material::matte(Rgb::BLACK).with_specular(gray(0.5), 125).with_mirror(n(0.1)).with_glass(Glass::new(n(0.8), n(1.5))),
         Material::matte(rgb(0.27, 0.09, 0.09)).with_specular(gray(0.1), 10),
         Material::matte(Rgb::BLACK).with_specular(gray(10.0), 142).with_mirror(n(0.8)),
-        Material::textured(Texture::Checker(Checker::new(rgb(0.3, 0.2, 0.1), gray(0.3), n(10.0)))),
+        Material::textured(Texture::Checker(Checker::new(gray(0.3), rgb(0.3, 0.2, 0.1), n(10.0)))),
     ];
     static LIGHTS: [Light<S>; 3] = [
         Light::point(v(-20.0, 20.0, 20.0), gray(1.5)),
@@ -30,14 +27,14 @@ super::in_every_number! {
     /// Four balls over a small chessboard.
     pub const VIEW: View<S> = View {
         name: "tinyraytracer",
-        about: "four balls over a small chessboard, after D. Sokolov's tinyraytracer; the glass ball's refraction is not drawn yet",
+        about: "four balls over a small chessboard, after D. Sokolov's tinyraytracer, one of glass",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS).with_sky(Sky::Gradient {
             up: v(0.0, 1.0, 0.0),
             nadir: Rgb::BLACK,
             zenith: rgb(0.2, 0.7, 1.3),
         }),
         camera: Camera::perspective(Vec3::ZERO, v(0.0, 0.0, -1.0), v(0.0, 1.0, 0.0), n(60.0)),
-        settings: Settings::new().with_depth(2).with_transfer(Transfer::Linear),
+        settings: Settings::new().with_depth(3).with_transfer(Transfer::Linear),
         size: [320, 240],
     };
 }

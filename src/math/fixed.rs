@@ -101,7 +101,7 @@ impl Neg for Fixed {
 /// Error bounds: products one step, sums none, [`Scalar::sqrt`], [`Scalar::div`] and [`Scalar::recip`] one step +
 /// 1e-8 relative, [`Scalar::normalize`] one step a component and one step + 1e-8 relative for the length,
 /// [`Scalar::narrow`] half a step, [`Scalar::pow_unit`] two steps beyond the error of its argument up to an exponent
-/// of 4096.
+/// of 4096, [`Scalar::exp_neg`] three steps.
 impl Scalar for Fixed {
     type Wide = FixedWide;
 
@@ -184,6 +184,28 @@ impl Scalar for Fixed {
         let fraction = (self.bits().max(0) as u32) << (32 - FRACTION_BITS);
         let rounded = (power(fraction, exponent) + (1 << (31 - FRACTION_BITS))) >> (32 - FRACTION_BITS);
         Self::of(rounded as i32)
+    }
+
+    fn exp_neg(self) -> Self {
+        // Beyond it less than half a step is left.
+        if self >= Self::new(14.6) {
+            return Self::ZERO;
+        }
+        let powers = Scalar::max(self, Self::ZERO) * Self::new(core::f64::consts::LOG2_E);
+        let halvings = powers.bits() >> FRACTION_BITS;
+        let rest = (powers - Self::from_i32(halvings)) * Self::new(core::f64::consts::LN_2);
+        // Taylor's series to the power 8 leaves ln 2^9 / 9! = 1e-7.
+        const SHARES: [Fixed; 8] = {
+            let mut shares = [Fixed::ONE; 8];
+            let mut n = 0;
+            while n < 8 {
+                shares[n] = Fixed::new(1.0 / (n as f64 + 1.0));
+                n += 1;
+            }
+            shares
+        };
+        let series = SHARES.iter().rev().fold(Self::ONE, |sum, share| Self::ONE - rest * sum * *share);
+        Self::of(((series.bits() << 1 >> halvings) + 1) >> 1)
     }
 
     #[inline(never)]

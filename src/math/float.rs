@@ -98,6 +98,19 @@ macro_rules! float_scalar {
                 product
             }
 
+            fn exp_neg(self) -> Self {
+                // Beyond 80 the answer is less than any light; what is not a number is taken as that.
+                let x = $crate::math::Scalar::max($crate::math::Scalar::min(self, 80.0), 0.0);
+                if x >= 80.0 {
+                    return 0.0;
+                }
+                let halvings = (x * core::f64::consts::LOG2_E as $float) as u16;
+                let rest = x - <$float>::from(halvings) * core::f64::consts::LN_2 as $float;
+                // Taylor's series to the power 13 leaves ln 2^14 / 14! = 7e-14.
+                let series = (1..14_u8).rev().fold(1.0, |sum, n| 1.0 - rest * sum / <$float>::from(n));
+                series * $crate::math::Scalar::pow_unit(0.5, halvings)
+            }
+
             fn normalize([x, y, z]: [Self; 3]) -> Option<([Self; 3], Self)> {
                 let square = x * x + y * y + z * z;
                 // Shorter ones would take the reciprocal root out of the range. Bits of positive
@@ -150,6 +163,6 @@ float_scalar! {
     /// Error bounds, relative: [`Scalar::sqrt`](super::Scalar::sqrt) and
     /// [`Scalar::normalize`](super::Scalar::normalize) 4e-7,
     /// [`Scalar::pow_unit`](super::Scalar::pow_unit) `exponent` * 6e-8 + 1e-7; `recip` and `div` are
-    /// correctly rounded.
+    /// correctly rounded; [`Scalar::exp_neg`](super::Scalar::exp_neg) 2e-7 + x * 1e-7.
     f32, skin: 1.0 / 1024.0, shortest_square: 1e-30, pi: core::f32::consts::PI
 }

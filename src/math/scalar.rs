@@ -84,6 +84,8 @@ pub trait Scalar:
     fn floor(wide: Self::Wide) -> i32;
     /// Raises a value of [0, 1] to a whole power by repeated squaring.
     fn pow_unit(self, exponent: u16) -> Self;
+    /// Answers exp(-self); 1 for what is below 0.
+    fn exp_neg(self) -> Self;
     /// Scales a vector to unit length and answers it with the length it had; `None` for zero.
     fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)>;
     /// Scales a vector of about a known length, above 0, like [`Self::normalize`].

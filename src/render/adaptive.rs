@@ -248,8 +248,8 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
         places: &mut [P],
         observer: &mut impl Observer,
     ) {
-        let Scratch { packet, spans, vicinities } = scratch;
-        let tracer = self.tracer(vicinities);
+        let Scratch { packet, spans, vicinities, pending } = scratch;
+        let tracer = self.tracer(vicinities, pending);
         let marks = Marks::new(observer);
         let mut probe = Probe { tracer, packet, marks, transfer: self.settings.transfer };
         let mut pen = Pen { places, first: columns.start, thresholds: self.settings.dither.thresholds(y) };

@@ -6,7 +6,7 @@ use crate::math::Scalar;
 use crate::output::{Encode, Quantizer};
 use crate::scene::Scene;
 use crate::shape::Intersect;
-use crate::trace::{LANES, Observer, RayKind, Tracer, Vicinities};
+use crate::trace::{LANES, Observer, Pending, RayKind, Tracer, Vicinities};
 use core::ops::Range;
 use embedded_graphics_core::geometry::Size;
 
@@ -23,8 +23,13 @@ pub(super) struct Picture<'a, S: Scalar, X, Q> {
 
 impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
     /// Makes the tracer of the picture's rays.
-    pub fn tracer<'s>(&'s self, vicinities: &'s mut Vicinities<S>) -> Tracer<'a, 's, S, X> {
-        Tracer::new(&self.scene, self.settings.depth)
+    pub fn tracer<'s>(
+        &'s self,
+        vicinities: &'s mut Vicinities<S>,
+        pending: &'s mut [Pending<S>],
+    ) -> Tracer<'a, 's, S, X> {
+        let depth = usize::from(self.settings.depth).min(pending.len());
+        Tracer::new(&self.scene, pending.split_at_mut(depth).0)
             .with_exposure(self.settings.exposure)
             .with_eye(self.frame.one_eye())
             .with_faintest(self.faintest)
@@ -41,9 +46,9 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         mut pixel: impl FnMut(u32, Rgb<S>),
     ) {
         let columns = columns.start..columns.end.min(self.size.width);
-        let Scratch { packet, spans, vicinities } = scratch;
+        let Scratch { packet, spans, vicinities, pending } = scratch;
         spans.enter_row(&self.scene, &self.frame, y);
-        let mut tracer = self.tracer(vicinities);
+        let mut tracer = self.tracer(vicinities, pending);
         let mut row = self.frame.row(y, columns.start);
         let mut x = columns.start;
         while x < columns.end {

@@ -63,6 +63,17 @@ impl<S: Scalar> Lane<S> {
         (self.u, self.v, self.part) = (surface.u, surface.v, surface.part);
     }
 
+    /// Tells whether the lane stands on glass, where its ray splits.
+    pub fn splits(&self) -> bool {
+        self.met != Self::NOTHING && self.weight.is_lit()
+    }
+
+    /// Sends the lane on along a ray from the surface reached.
+    pub fn go_on(&mut self, ray: Ray<S>, from: Departure, weight: Rgb<S>) {
+        (self.ray, self.from, self.weight) = (ray, from, weight);
+        (self.interval, self.met) = (Interval::AHEAD, Self::NOTHING);
+    }
+
     /// Answers the surface reached.
     pub fn surface(&self) -> Surface<S> {
         Surface { point: self.ray.origin, normal: self.normal, u: self.u, v: self.v, part: self.part }

@@ -6,11 +6,13 @@ mod observer;
 mod shade;
 mod shadow;
 mod tracer;
+mod tree;
 mod vicinity;
 mod visibility;
 
 pub use lane::LANES;
 pub use observer::{Observer, RayCounts, RayKind};
 pub use tracer::{Packet, Tracer};
+pub use tree::Pending;
 pub use vicinity::Vicinities;
 pub use visibility::Candidates;

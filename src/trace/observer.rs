@@ -8,6 +8,8 @@ pub enum RayKind {
     Shadow,
     /// From a surface into the mirror direction.
     Reflection,
+    /// From a surface of glass through it.
+    Refraction,
 }
 
 /// Watches the tracer at work, from outside: the core asks nothing of it.
@@ -40,6 +42,15 @@ pub struct RayCounts {
     pub shadow: u64,
     /// Rays into mirror directions.
     pub reflection: u64,
+    /// Rays through surfaces of glass.
+    pub refraction: u64,
+}
+
+impl RayCounts {
+    /// Answers how many rays there are of all kinds.
+    pub fn total(&self) -> u64 {
+        self.primary + self.shadow + self.reflection + self.refraction
+    }
 }
 
 impl Observer for RayCounts {
@@ -48,6 +59,7 @@ impl Observer for RayCounts {
             RayKind::Primary => self.primary += 1,
             RayKind::Shadow => self.shadow += 1,
             RayKind::Reflection => self.reflection += 1,
+            RayKind::Refraction => self.refraction += 1,
         }
     }
 }

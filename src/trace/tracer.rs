@@ -2,6 +2,7 @@ use super::departure::Departure;
 use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
 use super::shade::{Shader, Site};
+use super::tree::Pending;
 use super::vicinity::Vicinities;
 use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
@@ -36,24 +37,29 @@ impl<S: Scalar> Default for Packet<S> {
 /// Traces rays through a scene.
 ///
 /// Mirrors are followed level by level: a mirror sends on one ray, which takes the place of the
-/// one that met it, so that no ray ever waits and none is dropped.
+/// one that met it, so that no ray waits and none is dropped. Where a ray meets glass it leaves the
+/// others and is followed alone to the end of its tree, depth first.
 pub struct Tracer<'a, 's, S: Scalar, X> {
-    scene: &'s Scene<'a, S, X>,
+    pub(super) scene: &'s Scene<'a, S, X>,
     shader: Shader<'a, 's, S, X>,
-    depth: u8,
+    /// Places for rays that wait, one a level.
+    pub(super) pending: &'s mut [Pending<S>],
+    pub(super) depth: u8,
     exposure: Rgb<S>,
     /// Whether the exposure is any but 1.
     exposed: bool,
-    faint: S,
+    pub(super) faint: S,
     eye: Option<Vec3<S>>,
 }
 
 impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
-    /// Makes a tracer that follows mirrors up to `depth` times and asks every object about every
-    /// shadow.
-    pub fn new(scene: &'s Scene<'a, S, X>, depth: u8) -> Self {
+    /// Makes a tracer that asks every object about every shadow and follows rays through as many
+    /// mirrors and surfaces of glass as there are places in `pending`, whatever they hold.
+    pub fn new(scene: &'s Scene<'a, S, X>, pending: &'s mut [Pending<S>]) -> Self {
+        let depth = u8::try_from(pending.len()).unwrap_or(u8::MAX);
         let shader = Shader { scene, vicinities: None };
-        Self { scene, shader, depth, exposure: Rgb::WHITE, exposed: false, faint: S::ZERO, eye: None }
+        let (exposure, faint) = (Rgb::WHITE, S::ZERO);
+        Self { scene, shader, pending, depth, exposure, exposed: false, faint, eye: None }
     }
 
     /// Sets the factor on all light.
@@ -117,33 +123,42 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
 
     /// Lights what the rays have met and sends them on from mirrors, until none is left.
     fn follow(&mut self, mut lanes: &mut [Lane<S>], light: &mut [Rgb<S>], observer: &mut impl Observer) {
-        let mut sent_on = self.light_up(0, lanes, light, observer);
+        let mut onward = self.light_up(0, lanes, light, observer);
         let mut level = 0;
-        while sent_on {
+        loop {
+            if onward.split {
+                for lane in lanes.iter_mut().filter(|lane| lane.splits()) {
+                    self.follow_tree(level, lane, light, observer);
+                    lane.weight = Rgb::BLACK;
+                }
+            }
+            if !onward.mirrored {
+                return;
+            }
             level += 1;
             let going = gather(lanes, self.faint);
             lanes = lanes.split_at_mut(going).0;
             lanes.iter().for_each(|_| observer.ray(RayKind::Reflection));
             self.seek_mirrored(lanes);
-            sent_on = self.light_up(level, lanes, light, observer);
+            onward = self.light_up(level, lanes, light, observer);
         }
     }
 
     /// Finds what mirrored rays meet, which may be any object.
-    fn seek_mirrored(&self, lanes: &mut [Lane<S>]) {
+    pub(super) fn seek_mirrored(&self, lanes: &mut [Lane<S>]) {
         nearest(self.scene, Candidates::all(self.scene), None, lanes);
     }
 
-    /// Adds to `light` what comes from where the rays have arrived, turns them to where they go on
-    /// and tells whether any does.
-    fn light_up(
+    /// Adds to `light` what comes from where the rays have arrived, turns those at mirrors to where they
+    /// go on, leaves those at glass where they are and tells whether there are any.
+    pub(super) fn light_up(
         &mut self,
         level: u8,
         lanes: &mut [Lane<S>],
         light: &mut [Rgb<S>],
         observer: &mut impl Observer,
-    ) -> bool {
-        let mut sent_on = false;
+    ) -> Onward {
+        let mut onward = Onward { mirrored: false, split: false };
         for run in lanes.chunk_by_mut(|a, b| a.met == b.met) {
             let met = run.first().map_or(Lane::<S>::NOTHING, |lane| lane.met);
             let object = self.scene.objects.get(usize::from(met));
@@ -155,12 +170,15 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 self.see_sky(level, run, light);
                 continue;
             };
-            sent_on |= material.mirror > S::ZERO && level < self.depth;
+            if level < self.depth {
+                onward.split |= material.glass.is_some();
+                onward.mirrored |= material.mirror > S::ZERO && material.glass.is_none();
+            }
             let eye = if level == 0 { self.eye } else { None };
             dispatch!(shape, shape => arrive(shape, eye, run));
             self.visit(shape.is_convex(), material, level, run, light, observer);
         }
-        sent_on
+        onward
     }
 
     fn see_sky(&self, level: u8, lanes: &mut [Lane<S>], light: &mut [Rgb<S>]) {
@@ -171,7 +189,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         }
     }
 
-    /// Lights places of one object, convex or not, and reflects the rays that have reached them.
+    /// Lights places of one object, convex or not, and reflects the rays that have reached a mirror.
     fn visit(
         &mut self,
         convex: bool,
@@ -181,7 +199,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         light: &mut [Rgb<S>],
         observer: &mut impl Observer,
     ) {
-        let reflects = material.mirror > S::ZERO && level < self.depth;
+        let splits = material.glass.is_some() && level < self.depth;
+        let reflects = !splits && material.mirror > S::ZERO && level < self.depth;
         let ambient = self.scene.ambient * material.ambient;
         for lane in lanes {
             let direction = lane.ray.direction;
@@ -199,12 +218,17 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 Site { surface, material, ambient, direction, facing, distance, from, level, lane: number };
             let sent = self.shader.direct(&site, observer);
             self.add(level, lane, sent, light);
+            if !(reflects || splits) {
+                lane.weight = Rgb::BLACK;
+                continue;
+            }
+            if level == 0 {
+                lane.weight = self.exposure;
+            }
             if reflects {
                 lane.ray.direction = unit_reflection(direction, surface.normal);
                 (lane.interval, lane.met, lane.from) = (Interval::AHEAD, Lane::<S>::NOTHING, from);
-                lane.weight = if level == 0 { self.exposure } else { lane.weight } * material.mirror;
-            } else {
-                lane.weight = Rgb::BLACK;
+                lane.weight = lane.weight * material.mirror;
             }
         }
     }
@@ -221,6 +245,14 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     }
 }
 
+/// Tells whether any ray of a packet goes on.
+pub(super) struct Onward {
+    /// Some mirror has sent one on.
+    mirrored: bool,
+    /// Some have reached glass.
+    split: bool,
+}
+
 /// Answers a number of the part and the tile that a place belongs to.
 fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
     material.texture.tile(surface) ^ u32::from(surface.part).rotate_right(3)
@@ -228,7 +260,7 @@ fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
 
 /// Answers the mirror direction, of unit length again so that rounding does not grow from bounce
 /// to bounce.
-fn unit_reflection<S: Scalar>(direction: Vec3<S>, normal: Vec3<S>) -> Vec3<S> {
+pub(super) fn unit_reflection<S: Scalar>(direction: Vec3<S>, normal: Vec3<S>) -> Vec3<S> {
     direction.reflect(normal).straighten()
 }
 

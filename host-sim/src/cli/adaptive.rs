@@ -32,7 +32,7 @@ impl Kept {
         let over = off.iter().filter(|off| **off > TWO_STEPS).count();
         let rays = |taken: &Taken| {
             let rays = taken.rays.unwrap_or_default();
-            [rays.primary, rays.primary + rays.shadow + rays.reflection].map(|count| count as f64)
+            [rays.primary, rays.total()].map(|count| count as f64)
         };
         let ([all_primary, all], [primary, some]) = (rays(exact), rays(adaptive));
         Self {

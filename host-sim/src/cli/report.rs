@@ -17,9 +17,16 @@ pub(super) fn taken(out: &mut impl Write, shot: &Shot, taken: &Taken) -> io::Res
     line(out, "picture", picture(shot))?;
     match &taken.rays {
         Some(rays) => {
-            let [primary, shadow, reflection] = [rays.primary, rays.shadow, rays.reflection].map(thousands);
-            line(out, "rays", format!("{primary} primary, {shadow} shadow, {reflection} reflection"))?;
-            line(out, "time", pace(rays.primary + rays.shadow + rays.reflection, taken.time))?;
+            let kinds = [
+                (rays.primary, "primary"),
+                (rays.shadow, "shadow"),
+                (rays.reflection, "reflection"),
+                (rays.refraction, "refraction"),
+            ];
+            let told = kinds.iter().filter(|(count, _)| *count > 0);
+            let told: Vec<_> = told.map(|(count, kind)| format!("{} {kind}", thousands(*count))).collect();
+            line(out, "rays", told.join(", "))?;
+            line(out, "time", pace(rays.total(), taken.time))?;
         }
         None => line(out, "time", milliseconds(taken.time))?,
     }

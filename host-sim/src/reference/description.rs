@@ -1,5 +1,6 @@
 //! The door: copies a scene's plain data out of the core's types. Nothing is calculated here.
 
+use super::glass::{Glass, Turning};
 use super::vector::Vector;
 use crate::panel::Panel;
 use std::fmt;
@@ -53,6 +54,7 @@ pub(super) struct Material {
     pub specular: Vector,
     pub shininess: u16,
     pub mirror: f64,
+    pub glass: Option<Glass>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -130,6 +132,17 @@ fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
     }
 }
 
+fn glass(glass: &scanray::Glass<f64>) -> Result<Glass, Unknown> {
+    let turning = match glass.fresnel {
+        scanray::Fresnel::None => Turning::Nothing,
+        scanray::Fresnel::Schlick => Turning::Schlick,
+        scanray::Fresnel::Exact => Turning::Fresnel,
+        _ => return Err(Unknown("glass")),
+    };
+    let (transmission, index, absorption) = (glass.transmission, glass.index, light(&glass.absorption));
+    Ok(Glass { transmission, index, turning, absorption })
+}
+
 fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
     let lit = match material.model {
         scanray::Model::Flat => false,
@@ -138,7 +151,8 @@ fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
     };
     let (specular, shininess) = (light(&material.specular), material.shininess);
     let (ambient, mirror) = (material.ambient, material.mirror);
-    Ok(Material { texture: texture(&material.texture)?, lit, ambient, specular, shininess, mirror })
+    let (texture, glass) = (texture(&material.texture)?, material.glass.as_ref().map(glass).transpose()?);
+    Ok(Material { texture, lit, ambient, specular, shininess, mirror, glass })
 }
 
 fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {

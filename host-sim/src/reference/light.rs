@@ -11,6 +11,8 @@ struct Arrival {
     object: usize,
     part: u8,
     point: Vector,
+    /// How far the ray has come.
+    way: f64,
 }
 
 /// Is the place whose light is asked for.
@@ -44,24 +46,50 @@ impl Description {
         let seen = roots.filter(|(_, root)| counts(root.t));
         // `min_by` keeps the first of equals.
         let (object, root) = seen.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))?;
-        Some(Arrival { object, part: root.part, point: ray.point(root.t) })
+        let (point, way) = (ray.point(root.t), root.t * ray.direction.inner(ray.direction).sqrt());
+        Some(Arrival { object, part: root.part, point, way })
     }
 
     /// Answers what comes along a ray from the eye, of which only what `counts` is looked at.
     pub(super) fn seen_along(&self, ray: &Ray, counts: impl Fn(Vector) -> bool) -> (Vector, Trail) {
         let mut trail = Trail::new();
         let arrival = self.first(ray, None, |t| counts(ray.point(t)));
-        let light = self.light_of(ray, arrival, self.depth, &mut trail);
+        let light = self.light_of(ray, arrival, self.depth, &self.media_at(ray), &mut trail);
         (light * self.exposure, trail)
     }
 
-    /// Answers the light from where a ray ends, with so many mirrors to go.
-    fn light_of(&self, ray: &Ray, arrival: Option<Arrival>, mirrors: u8, trail: &mut Trail) -> Vector {
-        let Some(Arrival { object, part, point }) = arrival else { return self.sky_light(ray.direction) };
+    /// Lists the glass objects around the start of a ray, the outermost first: those whose surface
+    /// the ray passes an odd number of times.
+    fn media_at(&self, ray: &Ray) -> Vec<usize> {
+        let roots = |index: &usize| self.objects[*index].shape.roots_ahead(ray, None);
+        let first = |index: &usize| roots(index).iter().map(|root| root.t).fold(f64::INFINITY, f64::min);
+        let glass = |index: &usize| self.objects[*index].material.glass.is_some();
+        let mut around: Vec<usize> =
+            (0..self.objects.len()).filter(glass).filter(|index| roots(index).len() % 2 == 1).collect();
+        around.sort_by(|a, b| first(b).total_cmp(&first(a)));
+        around
+    }
+
+    /// Answers the light from where a ray ends, with so many levels to go; `media` lists the glass
+    /// objects around it, the outermost first.
+    fn light_of(
+        &self,
+        ray: &Ray,
+        arrival: Option<Arrival>,
+        levels: u8,
+        media: &[usize],
+        trail: &mut Trail,
+    ) -> Vector {
+        let Some(Arrival { object, part, point, way }) = arrival else {
+            return self.sky_light(ray.direction);
+        };
+        let left = media.last().and_then(|index| self.objects[*index].material.glass);
+        let left = left.map_or(Vector([1.0; 3]), |glass| glass.left_after(way));
         let shape = &self.objects[object].shape;
         let material = &self.objects[object].material;
-        let normal = shape.normal(point, part);
-        let normal = if normal.inner(ray.direction) > 0.0 { -normal } else { normal };
+        let outward = shape.normal(point, part);
+        let inside = outward.inner(ray.direction) > 0.0;
+        let normal = if inside { -outward } else { outward };
         let (color, tile) = material.texture.look(shape.texture_coordinates(point, part));
         let to_eye = -ray.direction.unit();
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
@@ -69,14 +97,36 @@ impl Description {
             self.lights.iter().map(|light| material.lit && self.reaches(light, &place)).collect();
         let direct = self.direct_light(&place, &reached);
         trail.push(Stop { object, part, tile, lights: reached });
-        if material.mirror > 0.0 && mirrors > 0 {
-            let along = normal.inner(ray.direction);
-            let onward = Ray { start: point, direction: ray.direction - normal * (2.0 * along) };
-            let arrival = self.first(&onward, Some((object, part)), |_| true);
-            direct + self.light_of(&onward, arrival, mirrors - 1, trail) * material.mirror
-        } else {
-            direct
+        let mut sum = direct;
+        if levels > 0 {
+            let mut send = |weight: f64, direction: Vector, media: &[usize]| {
+                if weight > 0.0 {
+                    let onward = Ray { start: point, direction };
+                    let arrival = self.first(&onward, Some((object, part)), |_| true);
+                    sum = sum + self.light_of(&onward, arrival, levels - 1, media, trail) * weight;
+                }
+            };
+            let direction = ray.direction.unit();
+            let mirrored = direction - normal * (2.0 * normal.inner(direction));
+            if let Some(glass) = &material.glass {
+                let mut onward = media.to_vec();
+                onward.retain(|index| *index != object);
+                let around = onward.last().and_then(|index| self.objects[*index].material.glass);
+                let around = around.map_or(1.0, |glass| glass.index);
+                let indices = if inside { [glass.index, around] } else { [around, glass.index] };
+                let split = glass.split(direction, normal, indices);
+                send(material.mirror + glass.transmission * split.turned, mirrored, media);
+                if !inside {
+                    onward.push(object);
+                }
+                if let Some(through) = split.through {
+                    send(glass.transmission * (1.0 - split.turned), through, &onward);
+                }
+            } else {
+                send(material.mirror, mirrored, media);
+            }
         }
+        left.filter(sum)
     }
 
     /// Tells whether a light falls on the visible side of a place and nothing stands between.

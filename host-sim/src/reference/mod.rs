@@ -12,6 +12,7 @@
 mod camera;
 mod description;
 mod display;
+mod glass;
 mod light;
 mod matrix;
 mod picture;

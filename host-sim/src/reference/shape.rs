@@ -114,14 +114,15 @@ impl Shape {
         roots
     }
 
-    /// Answers a unit normal at a point of a part, to either side.
+    /// Answers a unit normal at a point of a part, outward where there is an outside.
     pub fn normal(&self, point: Vector, part: u8) -> Vector {
         match *self {
             Self::Sphere { center, .. } => (point - center).unit(),
             Self::Plane { normal, .. } => normal.unit(),
             Self::Triangle { corners: [a, b, c] } => (b - a).outer(c - a).unit(),
             Self::Cuboid { .. } => {
-                Vector::by_axis(|axis| if axis == usize::from(part / 2) { 1.0 } else { 0.0 })
+                let outward = if part.is_multiple_of(2) { -1.0 } else { 1.0 };
+                Vector::by_axis(|axis| if axis == usize::from(part / 2) { outward } else { 0.0 })
             }
         }
     }
