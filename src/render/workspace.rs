@@ -10,7 +10,7 @@ use crate::trace::{Packet, Pending, Vicinities};
 /// most
 ///
 /// ```text
-/// WIDTH * size_of::<C>() + DEPTH * 44 + 1280 bytes
+/// WIDTH * size_of::<C>() + DEPTH * 44 + 1288 bytes
 /// ```
 ///
 /// on a device with 32-bit addresses, in `f32` and in fixed point: eight rays on their way take
@@ -22,7 +22,7 @@ use crate::trace::{Packet, Pending, Vicinities};
 /// use embedded_graphics_core::pixelcolor::Rgb565;
 /// use scanray::Workspace;
 /// static WORKSPACE: Workspace<f32, Rgb565, 320, 5> = Workspace::new();
-/// assert!(size_of_val(&WORKSPACE) <= 320 * 2 + 5 * 44 + 1280);
+/// assert!(size_of_val(&WORKSPACE) <= 320 * 2 + 5 * 44 + 1288);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Workspace<S: Scalar, C, const WIDTH: usize, const DEPTH: usize> {

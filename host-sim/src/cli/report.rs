@@ -65,8 +65,8 @@ fn picture(shot: &Shot) -> String {
 fn memory(shot: &Shot) -> String {
     let [columns, _] = shot.size;
     let bill = match shot.number {
-        Number::F32 => Bill::new::<f32>(columns, shot.panel),
-        Number::Fixed => Bill::new::<Fixed>(columns, shot.panel),
+        Number::F32 => Bill::new::<f32>(columns, shot.panel, shot.depth),
+        Number::Fixed => Bill::new::<Fixed>(columns, shot.panel, shot.depth),
         Number::Exact | Number::Oracle => return "f64 is for measuring, no device needs room for it".into(),
     };
     format!("{bill}, on a device")
