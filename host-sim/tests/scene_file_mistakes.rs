@@ -28,7 +28,7 @@ const SCENE: &str = r#"Scene(
 "#;
 
 /// Reads the scene with one piece of its text replaced.
-fn complaint(piece: &str, by: &str) -> Complaint {
+fn complaint(piece: &str, by: &str) -> Box<Complaint> {
     assert_eq!(SCENE.matches(piece).count(), 1, "{piece}");
     let text = SCENE.replace(piece, by).into_bytes();
     match SceneFile::parse(Path::new("my/scene.ron"), text) {

@@ -118,12 +118,14 @@ proptest! {
     }
 
     #[test]
-    fn noise_is_refused(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+    fn noise_is_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         use_as_file(bytes);
     }
 
     #[test]
-    fn words_in_any_order_are_read_or_refused(words in prop::collection::vec(prop::sample::select(&WORDS[..]), 0..60)) {
+    fn words_in_any_order_are_read_or_refused(
+        words in prop::collection::vec(prop::sample::select(&WORDS[..]), 0..60),
+    ) {
         use_as_file(words.concat().into_bytes());
     }
 }

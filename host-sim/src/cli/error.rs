@@ -45,7 +45,7 @@ impl Error {
     pub(super) fn refused(scene: &Entry, refusal: Refusal) -> Self {
         match (scene.file, refusal) {
             (Some(file), Refusal::Core(error)) => {
-                Self::SceneFile(scene_file::Failure::Wrong(file.explain(error)))
+                Self::SceneFile(scene_file::Failure::Wrong(Box::new(file.explain(error))))
             }
             _ => Self::Render(refusal),
         }

@@ -30,7 +30,7 @@ pub enum Failure {
     /// The system does not hand it out.
     Io(PathBuf, io::Error),
     /// Something is wrong with what it says.
-    Wrong(Complaint),
+    Wrong(Box<Complaint>),
 }
 
 impl fmt::Display for Failure {
@@ -61,23 +61,24 @@ impl SceneFile {
     /// # Errors
     /// The first mistake in them: what keeps the core from drawing it in `f64` among others, but not what is
     /// too large for smaller numbers.
-    pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<Self, Complaint> {
+    pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<Self, Box<Complaint>> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let path = path.to_owned();
         let text = match text(bytes) {
             Ok(text) => text,
             Err(reason) => {
                 let mistake = Mistake { reason, place: None };
-                return Err(Complaint { path, mistake, text: String::new() });
+                return Err(Box::new(Complaint { path, mistake, text: String::new() }));
             }
         };
-        match parse(&text) {
-            Ok((description, places)) => {
-                let refusal = description.refusal();
-                let file = Self { path, name, text, places, description };
-                refusal.map_or(Ok(()), |error| Err(file.explain(error))).map(|()| file)
-            }
-            Err(mistake) => Err(Complaint { path, mistake, text }),
+        let (description, places) = match parse(&text) {
+            Ok(read) => read,
+            Err(mistake) => return Err(Box::new(Complaint { path, mistake, text })),
+        };
+        let file = Self { path, name, text, places, description };
+        match file.description.refusal() {
+            Some(error) => Err(Box::new(file.explain(error))),
+            None => Ok(file),
         }
     }
 

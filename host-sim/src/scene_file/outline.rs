@@ -76,11 +76,17 @@ impl<'a> Text<'a> {
         self.read(0..self.0.len())
     }
 
-    /// Answers where a piece of this text stands in it; the end of the text for any other.
-    pub fn place(self, piece: &str) -> Range<usize> {
-        let begin = (piece.as_ptr() as usize).wrapping_sub(self.0.as_ptr() as usize);
-        let place = begin..begin.saturating_add(piece.len());
-        if self.0.get(place.clone()).is_some() { place } else { self.0.len()..self.0.len() }
+    /// Answers where a piece of this text stands in it; `None` for a text from elsewhere.
+    pub fn find(self, piece: &str) -> Option<Range<usize>> {
+        let begin = (piece.as_ptr() as usize).checked_sub(self.0.as_ptr() as usize)?;
+        let place = begin..begin.checked_add(piece.len())?;
+        self.0.get(place.clone()).map(|_| place)
+    }
+
+    /// Answers where a part of the outline stands, without the white space and comments around it.
+    pub fn place(self, part: &RawValue) -> Range<usize> {
+        // It was borrowed from this text.
+        self.find(part.trim().get_ron()).unwrap_or_default()
     }
 
     /// Reads a piece of the text as one value.

@@ -57,7 +57,7 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn part<T: Deserialize<'a>>(&mut self, part: Part, raw: &'a RawValue) -> Result<T, Mistake> {
-        let place = self.text.place(raw.trim().get_ron());
+        let place = self.text.place(raw);
         self.places.insert(part, place.clone());
         self.text.read(place)
     }
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         raws: &[&'a RawValue],
     ) -> Result<Vec<T>, Mistake> {
         if let Some(first_too_many) = raws.get(MAX_COUNT) {
-            let place = self.text.place(first_too_many.trim().get_ron());
+            let place = self.text.place(first_too_many);
             return Err(Mistake { reason: Reason::TooMany(MAX_COUNT), place: Some(place) });
         }
         raws.iter().enumerate().map(|(index, raw)| self.part(part(index), raw)).collect()
@@ -87,12 +87,11 @@ impl<'a> Reader<'a> {
         Mistake { reason, place: self.places.get(&part).cloned() }
     }
 
-    /// Names what is wrong with a name: it is shown itself, unless escapes keep it from being found in the
-    /// text.
-    fn mistake_of_name(&self, name: &Cow<'a, str>, part: Part, reason: Reason) -> Mistake {
-        match name {
-            Cow::Borrowed(name) => Mistake { reason, place: Some(self.text.place(name)) },
-            Cow::Owned(_) => self.mistake(part, reason),
+    /// Names what is wrong with a name; shows the part it stands in if escapes hide it in the text.
+    fn mistake_of_name(&self, name: &str, part: Part, reason: Reason) -> Mistake {
+        match self.text.find(name) {
+            Some(place) => Mistake { reason, place: Some(place) },
+            None => self.mistake(part, reason),
         }
     }
 
@@ -129,7 +128,7 @@ impl<'a> Reader<'a> {
         objects.into_iter().enumerate().map(found).collect()
     }
 
-    fn unknown_material(&self, object: usize, name: &Cow<'a, str>, names: &Names<'a>) -> Mistake {
+    fn unknown_material(&self, object: usize, name: &str, names: &Names<'a>) -> Mistake {
         let mut known: Vec<&str> = names.keys().map(|name| &**name).collect();
         known.sort_unstable();
         let meant = nearest(name, known).map(str::to_owned);
