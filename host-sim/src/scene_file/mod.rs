@@ -7,8 +7,8 @@
 //! - [`value`], [`shape`], [`texture`], [`material`], [`light`], [`sky`], [`camera`], [`settings`]: the words
 //!   of the format, each with its way to the core and back. A new word is added there and in the manual.
 //! - [`description`]: a whole scene in these words; [`from_core`]: of a view; [`names`]: of its materials.
-//! - [`read`] and [`write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.
-//! - [`file`]: a file as a scene that commands take.
+//! - [`mod@read`] and [`mod@write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.
+//! - [`mod@file`]: a file as a scene that commands take.
 
 pub mod camera;
 pub mod description;
