@@ -58,9 +58,9 @@ impl Shape {
         }
     }
 
-    /// Takes a shape of the core.
-    pub fn of(shape: &scanray::Shape<f64>) -> Self {
-        match shape {
+    /// Takes a shape of the core; `None` for one that scene files do not know.
+    pub fn of(shape: &scanray::Shape<f64>) -> Option<Self> {
+        Some(match shape {
             scanray::Shape::Sphere(s) => Self::Sphere { center: s.center.to_array(), radius: s.radius },
             scanray::Shape::Plane(s) => {
                 Self::Plane { point: s.point.to_array(), normal: s.normal.to_array() }
@@ -70,6 +70,6 @@ impl Shape {
             }
             scanray::Shape::Cuboid(s) => Self::Cuboid { low: s.low.to_array(), high: s.high.to_array() },
             scanray::Shape::Custom(none) => match *none {},
-        }
+        })
     }
 }
