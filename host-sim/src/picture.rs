@@ -15,6 +15,9 @@ use std::sync::Mutex;
 /// Is the most bounces the host's workspaces have room for.
 pub const MAX_DEPTH: usize = 32;
 
+/// Is the longest side of a picture that commands and scene files take: no display of the field is larger.
+pub const MAX_SIDE: u32 = 4096;
+
 /// Is how many rows a thread takes at a time: enough that to begin costs nothing beside them, few
 /// enough that no thread waits long for the last ones.
 const BAND: u32 = 8;

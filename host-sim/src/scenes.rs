@@ -1,9 +1,13 @@
-//! Scenes by name: the gallery's views with the number chosen at run time.
+//! Scenes by name: the gallery's views, and those of files, with the number chosen at run time.
 
+use crate::scene_file::description::Lists;
+use crate::scene_file::{Failure, SceneFile};
+use crate::suggest;
 use scanray::gallery::{Gallery, View};
 use scanray::{Camera, Fixed, Projection, Scalar, Vec3};
+use std::path::Path;
 
-/// Is a scene of the gallery, in every number.
+/// Is a scene of the gallery or of a file, in every number.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// The scene in `f32`.
@@ -12,6 +16,8 @@ pub struct Entry {
     pub fixed: &'static View<Fixed>,
     /// The scene in `f64`.
     pub double: &'static View<f64>,
+    /// The file it comes from; none for the gallery.
+    pub file: Option<&'static SceneFile>,
 }
 
 impl Entry {
@@ -24,7 +30,7 @@ impl Entry {
 /// Lists the gallery.
 pub fn all() -> impl Iterator<Item = Entry> {
     let numbers = f32::views().iter().zip(Fixed::views()).zip(f64::views());
-    numbers.map(|((float, fixed), double)| Entry { float, fixed, double })
+    numbers.map(|((float, fixed), double)| Entry { float, fixed, double, file: None })
 }
 
 /// Finds a scene by its name.
@@ -34,29 +40,29 @@ pub fn find(name: &str) -> Option<Entry> {
 
 /// Answers the name that is most like a misspelt one, if any is like it at all.
 pub fn nearest(name: &str) -> Option<&'static str> {
-    let name = name.to_lowercase();
-    let begins = |scene: &&str| name.len() >= 3 && scene.starts_with(&name);
-    let like = |scene: &'static str| (typos(&name, scene), scene);
-    all().map(|entry| entry.name()).find(begins).or_else(|| {
-        let (typos, scene) = all().map(|entry| like(entry.name())).min()?;
-        (3 * typos <= scene.len()).then_some(scene)
-    })
+    suggest::nearest(name, all().map(|entry| entry.name()))
 }
 
-/// Counts the letters to put in, take out or change to make one word of the other (Levenshtein).
-fn typos(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().collect();
-    let mut row: Vec<usize> = (0..=to.len()).collect();
-    for letter in from.chars() {
-        let mut diagonal = row[0];
-        row[0] += 1;
-        for (i, other) in to.iter().enumerate() {
-            let change = diagonal + usize::from(letter != *other);
-            diagonal = row[i + 1];
-            row[i + 1] = change.min(row[i] + 1).min(row[i + 1] + 1);
-        }
-    }
-    row[to.len()]
+/// Reads the scene of a file.
+///
+/// It stays in memory as long as the program runs, as those of the gallery do: a command draws few scenes.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn read(path: &Path) -> Result<Entry, Failure> {
+    let file: &'static SceneFile = Box::leak(Box::new(SceneFile::read(path)?));
+    Ok(Entry { float: kept(file), fixed: kept(file), double: kept(file), file: Some(file) })
+}
+
+/// Rounds the scene of a file to a number, to stay in memory.
+fn kept<S: HostNumber>(file: &'static SceneFile) -> &'static View<S> {
+    let description = file.description();
+    let lists: &'static Lists<S> = Box::leak(Box::new(description.lists()));
+    let (camera, settings) = (description.camera.in_number(), description.settings.in_number());
+    let scene = description.scene(lists);
+    let about = if description.about.is_empty() { "a scene of its own" } else { &description.about };
+    let view = View { name: file.name(), about, scene, camera, settings, size: description.size };
+    Box::leak(Box::new(view))
 }
 
 /// Is a number that the core draws the gallery in.

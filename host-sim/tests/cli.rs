@@ -154,6 +154,53 @@ fn the_list_names_every_scene_with_its_size_and_what_it_shows() {
 }
 
 #[test]
+fn an_exported_scene_draws_the_picture_of_the_gallery() {
+    let desk = Desk::new("export");
+    let output = desk.run("export c-ray -o mine.ron");
+    assert!(output.status.success(), "{output:?}");
+    for number in ["f32", "fixed"] {
+        for scene in ["c-ray", "mine.ron"] {
+            let output = desk.run(&format!("render {scene} --number {number} --size 64x48"));
+            assert!(output.status.success(), "{output:?}");
+        }
+        let [gallery, file] = ["c-ray.png", "mine.png"].map(|name| read(&desk.0.join(name)));
+        assert!(gallery == file, "{number}");
+    }
+}
+
+#[test]
+fn a_scene_file_is_taken_wherever_a_scene_is() {
+    let desk = Desk::new("file");
+    assert!(desk.run("export simple").status.success());
+    assert_eq!(desk.files(), ["simple.ron"]);
+    let list = stdout(&desk.run("list simple.ron"));
+    assert!(list.starts_with("simple  240x240  a ball, a floor") && list.lines().count() == 1, "{list}");
+    let output = desk.run("compare simple.ron --size 24x18 --json");
+    assert!(stdout(&output).contains("\"scene\": \"simple\""), "{output:?}");
+    let again = desk.run("export simple.ron -o -");
+    assert_eq!(stdout(&again), std::fs::read_to_string(desk.0.join("simple.ron")).unwrap());
+    assert_refused(&desk, "show simple.ron", &["no display"]);
+}
+
+#[test]
+fn mistakes_of_a_scene_file_are_shown_with_their_line() {
+    let desk = Desk::new("mistakes");
+    assert!(desk.run("export simple").status.success());
+    let text = std::fs::read_to_string(desk.0.join("simple.ron")).unwrap();
+    std::fs::write(desk.0.join("field.ron"), text.replace("radius", "raduis")).unwrap();
+    std::fs::write(desk.0.join("large.ron"), text.replace("radius: 25", "radius: 2500")).unwrap();
+    let line = [":28:", "(shape: Sphere", "^^^^^^"];
+    let says =
+        ["error: unknown field `raduis`, did you mean `radius`?", "field.ron", line[0], line[1], line[2]];
+    assert_refused(&desk, "render field.ron", &says);
+    let says = ["error: object 0: ", "too large for the number type", "large.ron", line[0], line[1], line[2]];
+    assert_refused(&desk, "render large.ron --number fixed", &says);
+    assert_refused(&desk, "compare large.ron --number fixed", &says);
+    assert_refused(&desk, "render none.ron", &["cannot read none.ron"]);
+    assert_refused(&desk, "export simple -o no/such/place.ron", &["no/such/place.ron", "-o"]);
+}
+
+#[test]
 fn a_reader_that_leaves_early_is_no_error() {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);
@@ -198,7 +245,9 @@ fn a_window_without_a_display_is_refused_with_a_way_out() {
 #[test]
 fn help_is_no_error_and_gives_examples() {
     let desk = Desk::new("help");
-    for arguments in ["--help", "render --help", "show --help", "compare --help"] {
+    for arguments in
+        ["--help", "render --help", "show --help", "compare --help", "list --help", "export --help"]
+    {
         let output = desk.run(arguments);
         assert!(output.status.success(), "{arguments}");
         assert!(stdout(&output).contains("Examples:"), "{arguments}");

@@ -1,17 +1,14 @@
 use super::Error;
 use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
-use crate::picture::MAX_DEPTH;
+use crate::picture::{MAX_DEPTH, MAX_SIDE};
 use crate::scenes;
 use crate::shot::{Number, Quality, Shot};
 use crate::turn::Turn;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scanray::Transfer;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
-
-/// Is the longest side of a picture the command takes: no display of the field is larger.
-const MAX_SIDE: u32 = 4096;
+use std::path::{Path, PathBuf};
 
 /// Is the command line.
 #[derive(Debug, Parser)]
@@ -24,6 +21,8 @@ const MAX_SIDE: u32 = 4096;
         scanray                                     draw the scene `simple` into simple.png\n  \
         scanray list                                see which scenes there are\n  \
         scanray render c-ray --panel mono           draw a scene as a black and white panel shows it\n  \
+        scanray export simple -o mine.ron           write a scene as a file, to be changed\n  \
+        scanray render mine.ron                     draw the scene of a file\n  \
         scanray show three-spheres                  walk around a scene in a window\n  \
         scanray compare --all                       judge every number by the reference"
 )]
@@ -45,8 +44,10 @@ pub(super) enum Command {
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
     Race(RaceArgs),
-    /// Name the scenes of the gallery
-    List,
+    /// Name the scenes of the gallery, and of files
+    List(ListArgs),
+    /// Write a scene as a file that every command takes in its place, to be changed
+    Export(ExportArgs),
 }
 
 #[derive(Debug, Args)]
@@ -93,7 +94,7 @@ pub(super) struct ShowArgs {
     scanray compare --all --quality adaptive --panel rgb565\n  \
     scanray compare c-ray --number fixed -o pictures")]
 pub(super) struct CompareArgs {
-    /// Scene to compare
+    /// Scene to compare: one of the gallery, or a file FILE.ron
     #[arg(value_name = "SCENE", conflicts_with = "all")]
     pub scene: Option<String>,
     /// Compare every scene of the gallery
@@ -168,10 +169,34 @@ pub(super) struct RaceArgs {
     pub runs: NonZeroUsize,
 }
 
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray list\n  \
+    scanray list scenes/*.ron")]
+pub(super) struct ListArgs {
+    /// Files to name the scenes of, instead of the gallery's
+    #[arg(value_name = "FILE.ron")]
+    pub scenes: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray export simple\n  \
+    scanray export c-ray -o mine.ron\n\n\
+    docs/scene-format.md says what such a file may hold.")]
+pub(super) struct ExportArgs {
+    /// Scene of the gallery, or a file FILE.ron, which is then laid out anew
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// File to write the scene to, `-` for the terminal [default: SCENE.ron in the current directory]
+    #[arg(short, long, value_name = "FILE.ron")]
+    pub output: Option<PathBuf>,
+}
+
 /// Is what a picture is to look like.
 #[derive(Debug, Args)]
 pub(super) struct Look {
-    /// Scene of the gallery; `scanray list` names them
+    /// Scene of the gallery, which `scanray list` names, or a file FILE.ron
     #[arg(value_name = "SCENE", default_value = "simple")]
     pub scene: String,
     /// Number the picture is traced in
@@ -212,9 +237,13 @@ impl Look {
     }
 }
 
-/// Finds a scene.
+/// Finds a scene: one of the gallery, or that of a file.
 pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
-    scenes::find(name).ok_or_else(|| Error::UnknownScene(name.to_owned()))
+    match scenes::find(name) {
+        Some(entry) => Ok(entry),
+        None if name.ends_with(".ron") => Ok(scenes::read(Path::new(name))?),
+        None => Err(Error::UnknownScene(name.to_owned())),
+    }
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {

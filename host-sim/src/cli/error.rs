@@ -1,6 +1,7 @@
 use crate::bench::Failure;
 use crate::race;
-use crate::scenes;
+use crate::scene_file::{self, Unsayable};
+use crate::scenes::{self, Entry};
 use crate::shot::Refusal;
 use rayon::ThreadPoolBuildError;
 use std::path::PathBuf;
@@ -12,6 +13,12 @@ use std::{fmt, io};
 pub enum Error {
     /// The gallery has no such scene.
     UnknownScene(String),
+    /// A scene file cannot be read, or not be drawn.
+    SceneFile(scene_file::Failure),
+    /// A scene cannot be written as a file.
+    Export(Unsayable),
+    /// The text of a scene file cannot be made.
+    Text(ron::Error),
     /// A comparison names neither a scene nor all of them.
     NothingToCompare,
     /// The picture cannot be drawn.
@@ -33,6 +40,17 @@ pub enum Error {
 }
 
 impl Error {
+    /// Makes the error of a picture that cannot be drawn: it shows the line of the scene's file, if there is
+    /// one.
+    pub(super) fn refused(scene: &Entry, refusal: Refusal) -> Self {
+        match (scene.file, refusal) {
+            (Some(file), Refusal::Core(error)) => {
+                Self::SceneFile(scene_file::Failure::Wrong(Box::new(file.explain(error))))
+            }
+            _ => Self::Render(refusal),
+        }
+    }
+
     /// Answers whether it only means that nobody reads on, as when a pager is left.
     pub fn is_closed_pipe(&self) -> bool {
         matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
@@ -47,8 +65,11 @@ impl fmt::Display for Error {
                 if let Some(nearest) = scenes::nearest(name) {
                     write!(f, "; did you mean '{nearest}'?")?;
                 }
-                f.write_str("\n`scanray list` names them all.")
+                f.write_str("\n`scanray list` names them all; the name of a scene file ends in `.ron`.")
             }
+            Self::SceneFile(failure) => failure.fmt(f),
+            Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),
+            Self::Text(error) => write!(f, "the scene cannot be written: {error}."),
             Self::NothingToCompare => f.write_str(
                 "there is no scene to compare.\n\
                  Name one, as in `scanray compare simple`, or take `scanray compare --all`.",
@@ -84,9 +105,21 @@ impl From<io::Error> for Error {
     }
 }
 
-impl From<Refusal> for Error {
-    fn from(error: Refusal) -> Self {
-        Self::Render(error)
+impl From<scene_file::Failure> for Error {
+    fn from(failure: scene_file::Failure) -> Self {
+        Self::SceneFile(failure)
+    }
+}
+
+impl From<Unsayable> for Error {
+    fn from(unsayable: Unsayable) -> Self {
+        Self::Export(unsayable)
+    }
+}
+
+impl From<ron::Error> for Error {
+    fn from(error: ron::Error) -> Self {
+        Self::Text(error)
     }
 }
 

@@ -5,6 +5,7 @@ mod args;
 mod bench;
 mod compare;
 mod error;
+mod export;
 mod list;
 mod progress;
 mod race;
@@ -65,7 +66,8 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
-        Command::List => list::run(&mut out)?,
+        Command::List(args) => list::run(args, &mut out)?,
+        Command::Export(args) => export::run(args, &mut out)?,
     }
     Ok(out.flush()?)
 }

@@ -67,13 +67,13 @@ fn difference(out: &mut impl Write, shot: &Shot, taken: &Taken) -> Result<(), Er
 pub(super) fn reference(shot: &Shot) -> Result<Comparison, Error> {
     let what = format!("drawing the reference of {}", shot.scene.name());
     let mut progress = Progress::new(u64::from(shot.size[1]), what);
-    Ok(shot.reference(|_| progress.step())?)
+    shot.reference(|_| progress.step()).map_err(|refusal| Error::refused(&shot.scene, refusal))
 }
 
 /// Traces a picture, with a progress bar if it takes long.
 pub(super) fn take(shot: &Shot) -> Result<Taken, Error> {
     let mut progress = Progress::new(u64::from(shot.size[1]), format!("drawing {}", shot.scene.name()));
-    Ok(shot.take(|_| progress.step())?)
+    shot.take(|_| progress.step()).map_err(|refusal| Error::refused(&shot.scene, refusal))
 }
 
 /// Answers whether someone sits at the terminal: a window nobody can close must not open.

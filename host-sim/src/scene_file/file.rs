@@ -1,0 +1,108 @@
+//! A scene file on disk, as a scene that commands take.
+
+use super::description::Description;
+use super::mistake::{Complaint, Mistake, Reason};
+use super::place::{Part, Places};
+use super::read::parse;
+use scanray::RenderError;
+use std::fmt;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+/// Is the largest file that is read, in bytes: room for 65535 objects of 250 bytes each.
+pub const MAX_BYTES: u64 = 1 << 24;
+
+/// Is a scene file that has been read.
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    path: PathBuf,
+    name: String,
+    text: String,
+    places: Places,
+    description: Description,
+}
+
+/// Tells why a scene file cannot be read.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Failure {
+    /// The system does not hand it out.
+    Io(PathBuf, io::Error),
+    /// Something is wrong with what it says.
+    Wrong(Box<Complaint>),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io(path, error) => write!(f, "cannot read {}: {error}", path.display()),
+            Self::Wrong(complaint) => complaint.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+impl SceneFile {
+    /// Reads a file of at most [`MAX_BYTES`].
+    ///
+    /// # Errors
+    /// The system's refusal, or the first mistake in the file.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let mut bytes = vec![];
+        let file = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
+        file.map_err(|error| Failure::Io(path.to_owned(), error))?;
+        Self::parse(path, bytes).map_err(Failure::Wrong)
+    }
+
+    /// Reads the bytes of a file.
+    ///
+    /// # Errors
+    /// The first mistake in them: what keeps the core from drawing it in `f64` among others, but not what is
+    /// too large for smaller numbers.
+    pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<Self, Box<Complaint>> {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let path = path.to_owned();
+        let text = match text(bytes) {
+            Ok(text) => text,
+            Err(reason) => {
+                let mistake = Mistake { reason, place: None };
+                return Err(Box::new(Complaint { path, mistake, text: String::new() }));
+            }
+        };
+        let (description, places) = match parse(&text) {
+            Ok(read) => read,
+            Err(mistake) => return Err(Box::new(Complaint { path, mistake, text })),
+        };
+        let file = Self { path, name, text, places, description };
+        match file.description.refusal() {
+            Some(error) => Err(Box::new(file.explain(error))),
+            None => Ok(file),
+        }
+    }
+
+    /// Answers what the file says.
+    pub fn description(&self) -> &Description {
+        &self.description
+    }
+
+    /// Shows the line that an error of the core is about.
+    pub fn explain(&self, error: RenderError) -> Complaint {
+        let place = Part::of(&error).and_then(|part| self.places.get(&part).cloned());
+        let mistake = Mistake { reason: Reason::Refused(error), place };
+        Complaint { path: self.path.clone(), mistake, text: self.text.clone() }
+    }
+
+    /// Answers the name of the scene: that of the file without `.ron`.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+fn text(bytes: Vec<u8>) -> Result<String, Reason> {
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(Reason::TooLarge(MAX_BYTES));
+    }
+    String::from_utf8(bytes).map_err(|error| Reason::NotText(error.utf8_error().valid_up_to()))
+}

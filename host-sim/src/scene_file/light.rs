@@ -1,0 +1,52 @@
+//! Lights of a scene file.
+//!
+//! To add one: a variant, and an arm in each of the two functions.
+
+use super::value::{Color, Point, point};
+use crate::scenes::HostNumber;
+use serde::{Deserialize, Serialize};
+
+/// Is a source of light; its fields are those of the core's light of the same name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Light {
+    /// Shines from a point in all directions, the same at any distance.
+    Point {
+        /// Where it is.
+        position: Point,
+        /// How much light arrives.
+        color: Color,
+    },
+    /// Shines from infinitely far away.
+    Directional {
+        /// Where the light comes from, of any length but zero.
+        toward: Point,
+        /// How much light arrives.
+        color: Color,
+    },
+}
+
+impl Light {
+    /// Makes the core's light, rounded to a number.
+    pub fn in_number<S: HostNumber>(&self) -> scanray::Light<S> {
+        match *self {
+            Self::Point { position, color } => scanray::Light::point(point(position), color.in_number()),
+            Self::Directional { toward, color } => {
+                scanray::Light::directional(point(toward), color.in_number())
+            }
+        }
+    }
+
+    /// Takes a light of the core; `None` for one that scene files do not know.
+    pub fn of(light: &scanray::Light<f64>) -> Option<Self> {
+        Some(match *light {
+            scanray::Light::Point { position, color } => {
+                Self::Point { position: position.to_array(), color: Color::of(color) }
+            }
+            scanray::Light::Directional { toward, color } => {
+                Self::Directional { toward: toward.to_array(), color: Color::of(color) }
+            }
+            _ => return None,
+        })
+    }
+}

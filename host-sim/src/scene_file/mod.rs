@@ -1,0 +1,36 @@
+//! Scene files: scenes as RON text, for those who would rather not write Rust.
+//!
+//! `docs/scene-format.md` is the manual. The text is read in two steps: its [outline](read::parse), whose
+//! parts know their places, and each part by itself; so every mistake is shown with its line, those too that
+//! the core finds when it draws.
+//!
+//! - [`value`], [`shape`], [`texture`], [`material`], [`light`], [`sky`], [`camera`], [`settings`]: the words
+//!   of the format, each with its way to the core and back. A new word is added there and in the manual.
+//! - [`description`]: a whole scene in these words; [`from_core`]: of a view; [`names`]: of its materials.
+//! - [`mod@read`] and [`mod@write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.
+//! - [`mod@file`]: a file as a scene that commands take.
+
+pub mod camera;
+pub mod description;
+pub mod file;
+pub mod from_core;
+pub mod light;
+pub mod material;
+pub mod mistake;
+pub mod names;
+mod outline;
+pub mod place;
+pub mod read;
+pub mod settings;
+pub mod shape;
+pub mod sky;
+pub mod texture;
+pub mod value;
+pub mod write;
+
+pub use description::Description;
+pub use file::{Failure, SceneFile};
+pub use from_core::{Unsayable, describe};
+pub use mistake::{Complaint, Mistake, Reason};
+pub use read::parse;
+pub use write::write;

@@ -1,0 +1,47 @@
+//! Textures of a scene file.
+//!
+//! To add one: a variant, and an arm in each of the two functions.
+
+use super::value::Color;
+use crate::scenes::HostNumber;
+use scanray::Checker;
+use serde::{Deserialize, Serialize};
+
+/// Is what colours a surface has from place to place; its fields are those of the core's texture of the
+/// same name. A single colour is no texture here: a material takes it by itself.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub enum Texture {
+    /// A chessboard over the shape's texture coordinates.
+    Checker {
+        /// Colour of the tile at the origin.
+        even: Color,
+        /// Colour of its neighbours.
+        odd: Color,
+        /// Tiles to a unit of the texture coordinates.
+        per_unit: f64,
+    },
+}
+
+impl Texture {
+    /// Makes the core's texture, rounded to a number.
+    pub fn in_number<S: HostNumber>(&self) -> scanray::Texture<S> {
+        match *self {
+            Self::Checker { even, odd, per_unit } => {
+                scanray::Texture::Checker(Checker::new(even.in_number(), odd.in_number(), S::round(per_unit)))
+            }
+        }
+    }
+
+    /// Takes a texture of the core; `None` for one that scene files do not know.
+    pub fn of(texture: &scanray::Texture<f64>) -> Option<Self> {
+        Some(match texture {
+            scanray::Texture::Checker(board) => Self::Checker {
+                even: Color::of(board.even),
+                odd: Color::of(board.odd),
+                per_unit: board.per_unit,
+            },
+            _ => return None,
+        })
+    }
+}
