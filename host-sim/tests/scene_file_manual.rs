@@ -84,6 +84,8 @@ fn every_word_of_the_format_is_in_the_manual() {
         "settings: (transfer: Unknown)",
         "settings: (dither: Unknown)",
         "materials: { \"a\": (model: Unknown) }",
+        "materials: { \"a\": (glass: (unknown: 1)) }",
+        "materials: { \"a\": (glass: (fresnel: Unknown)) }",
     ];
     let enums = [
         "camera: (projection: ?)",

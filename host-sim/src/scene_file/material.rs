@@ -3,6 +3,7 @@
 //! A field that a file leaves out keeps the value that the core's constructor gave it. To add one: the
 //! field, and a line in each of the two functions.
 
+use super::glass::Glass;
 use super::texture::Texture;
 use super::value::{Color, unless};
 use crate::scenes::HostNumber;
@@ -34,6 +35,9 @@ pub struct Material {
     /// Weight of the light that a mirror in its place would show.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mirror: Option<f64>,
+    /// What comes through, if anything does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub glass: Option<Glass>,
 }
 
 /// Names a reflection model.
@@ -78,6 +82,7 @@ impl Material {
         material.specular = self.specular.map_or(material.specular, Color::in_number);
         material.shininess = self.shininess.unwrap_or(material.shininess);
         material.mirror = self.mirror.map_or(material.mirror, S::round);
+        material.glass = self.glass.as_ref().map(Glass::in_number);
         material
     }
 
@@ -97,6 +102,7 @@ impl Material {
             specular: unless(usual.specular, material.specular).map(Color::of),
             shininess: unless(usual.shininess, material.shininess),
             mirror: unless(usual.mirror, material.mirror),
+            glass: material.glass.as_ref().map(Glass::of),
         })
     }
 }

@@ -14,6 +14,7 @@ pub mod camera;
 pub mod description;
 pub mod file;
 pub mod from_core;
+pub mod glass;
 pub mod light;
 pub mod material;
 pub mod mistake;
