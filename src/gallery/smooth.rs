@@ -61,7 +61,7 @@ super::in_every_number! {
     }
 
     const fn materials() -> [Material<S>; 21] {
-        let mut materials = [Material::matte(gray(0.6)).with_mirror(n(0.15)); 21];
+        let mut materials = [Material::matte(rgb(0.24, 0.17, 0.13)).with_mirror(n(0.25)); 21];
         let mut i = 0;
         while i < 20 {
             let [a, b, c] = FACES[i];
@@ -86,7 +86,7 @@ super::in_every_number! {
         about: "an icosahedron flat and with interpolated normals, its colours mixed between the corners",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.15))
-            .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: gray(0.9), zenith: rgb(0.05, 0.15, 0.45) }),
+            .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.28, 0.36, 0.52), zenith: rgb(0.02, 0.04, 0.16) }),
         camera: Camera::perspective(v(0.0, 2.4, 6.4), v(0.0, 0.65, 0.0), v(0.0, 1.0, 0.0), n(34.0)),
         settings: Settings::new().with_depth(1),
         size: [320, 240],

@@ -20,7 +20,7 @@ super::in_every_number! {
     static FULL: [Vec3<S>; 5] = star(1.3, 0.0, 1.0, 0.0);
     static MOUNTAINS: [Vec3<S>; 12] = [
         v(-40.0, -1.0, -30.0), v(40.0, -1.0, -30.0), v(40.0, 3.2, -30.0), v(21.0, 5.4, -30.0),
-        v(13.5, 3.0, -30.0), v(8.0, 4.4, -30.0), v(3.0, 2.6, -30.0), v(-3.5, 6.4, -30.0),
+        v(13.5, 3.0, -30.0), v(8.0, 4.4, -30.0), v(3.0, 2.6, -30.0), v(-3.5, 5.5, -30.0),
         v(-8.5, 3.8, -30.0), v(-12.0, 4.8, -30.0), v(-22.0, 2.6, -30.0), v(-40.0, 5.0, -30.0),
     ];
     static OBJECTS: [Object<S>; 4] = [
@@ -30,10 +30,10 @@ super::in_every_number! {
         Object::new(Shape::Polygon(Polygon::new(&MOUNTAINS, v(0.0, 0.0, 1.0), FillRule::OddEven)), 3),
     ];
     static MATERIALS: [Material<S>; 4] = [
-        Material::matte(rgb(0.5, 0.42, 0.42)).with_mirror(n(0.2)),
+        Material::matte(rgb(0.26, 0.24, 0.3)).with_mirror(n(0.3)),
         Material::matte(rgb(0.95, 0.6, 0.1)).with_specular(gray(0.4), 30),
-        Material::matte(rgb(0.85, 0.15, 0.2)).with_specular(gray(0.4), 30),
-        Material::flat(rgb(0.12, 0.1, 0.22)),
+        Material::matte(rgb(0.85, 0.1, 0.15)).with_specular(gray(0.4), 30),
+        Material::flat(rgb(0.05, 0.045, 0.12)),
     ];
     static LIGHTS: [Light<S>; 2] = [
         Light::point(v(-7.0, 6.5, 6.5), rgb(1.0, 0.85, 0.7)),
@@ -48,8 +48,8 @@ super::in_every_number! {
             .with_ambient(rgb(0.1, 0.11, 0.16))
             .with_sky(Sky::Gradient {
                 up: v(0.0, 1.0, 0.0),
-                nadir: rgb(1.0, 0.42, 0.1),
-                zenith: rgb(0.15, 0.2, 0.7),
+                nadir: rgb(0.95, 0.35, 0.08),
+                zenith: rgb(0.06, 0.09, 0.45),
             }),
         camera: Camera::perspective(v(0.3, 2.5, 6.6), v(0.2, 0.95, 0.0), v(0.0, 1.0, 0.0), n(38.0)),
         settings: Settings::new().with_depth(1),

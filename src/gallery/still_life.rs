@@ -17,7 +17,7 @@ super::in_every_number! {
         // A cup that is wider above, and a ball in it.
         Object::new(Shape::Cone(cone(v(1.75, 0.0, -0.7), 0.5, v(1.75, 1.1, -0.7), 0.85).open()), 6),
         Object::new(Shape::Sphere(Sphere::new(v(1.75, 0.75, -0.7), n(0.6))), 7),
-        // Two pipes, one upon the other.
+        // A pipe of clay and one of silver, and a brass weight.
         Object::new(Shape::Cone(cone(v(-0.75, 0.41, 1.15), 0.4, v(0.55, 0.41, -0.25), 0.4).open()), 8),
         Object::new(Shape::Cone(cone(v(0.2, 0.31, 1.75), 0.3, v(1.3, 0.31, 0.75), 0.3).open()), 9),
         Object::new(Shape::Cone(cone(v(-1.55, 0.16, 0.9), 0.15, v(-1.15, 0.16, 1.5), 0.15)), 3),
@@ -43,7 +43,7 @@ super::in_every_number! {
     pub const VIEW: View<S> = View {
         name: "still-life",
         about: "cones and cylinders on a table: a hat and a candle closed by caps, a cup and pipes open at both ends",
-        scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS).with_ambient(gray(0.18)),
+        scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS).with_ambient(gray(0.15)),
         camera: Camera::perspective(v(-0.4, 3.3, 6.2), v(0.0, 0.8, -0.5), v(0.0, 1.0, 0.0), n(38.0)),
         settings: Settings::new().with_depth(2),
         size: [320, 240],
