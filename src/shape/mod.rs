@@ -3,6 +3,7 @@
 //! Each file holds the same four parts: the equation, the struct with its `const fn new`, its
 //! [`Intersect`], its tests.
 
+mod called;
 mod cone;
 mod cuboid;
 mod plane;

@@ -78,6 +78,7 @@ impl<S: Scalar> Polygon<S> {
     }
 
     /// Tells whether the outline surrounds the line of a ray.
+    #[inline(never)]
     fn surrounds(&self, ray: &Ray<S>) -> bool {
         let Some(last) = self.vertices.last() else { return false };
         let sight = Sight::along(ray);
@@ -180,6 +181,7 @@ impl<S: Scalar> Intersect<S> for Polygon<S> {
         None
     }
 
+    #[inline(never)]
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
         self.plane().surface(ray, crossing)
     }
@@ -189,10 +191,12 @@ impl<S: Scalar> Intersect<S> for Polygon<S> {
         true
     }
 
+    #[inline(never)]
     fn hull(&self) -> Hull<S> {
         Hull::Box(Aabb::around(self.vertices))
     }
 
+    #[inline(never)]
     fn check(&self) -> Result<(), Fault> {
         if self.vertices.len() < 3 {
             return Err(Fault::TooFewCorners);

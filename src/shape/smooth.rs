@@ -1,3 +1,4 @@
+use super::called::{add_scaled, difference, dot, normalized, scaled};
 use super::{Intersect, Triangle};
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
@@ -60,30 +61,31 @@ impl<S: Scalar> SmoothTriangle<S> {
     /// Answers how far a hit is put off the triangle.
     fn step(&self) -> S {
         let [a, b, c] = self.vertices;
-        let extent = (b.point - a.point).largest().max((c.point - a.point).largest());
+        let reach = |corner: &Vertex<S>| difference(corner.point, a.point).largest();
+        let extent = reach(b).max(reach(c));
         extent * S::SLACK
     }
 
     /// Answers the interpolated normal on the viewer's side, bent so that the viewer sees that side.
     fn normal(&self, weights: [S; 3], side: S, direction: Vec3<S>) -> Option<Vec3<S>> {
-        let normals = self.vertices.iter().map(|vertex| vertex.normal * side);
+        let normals = self.vertices.iter().map(|vertex| scaled(vertex.normal, side));
         let sum =
-            normals.zip(weights).fold(Vec3::ZERO, |sum, (normal, weight)| sum.add_scaled(normal, weight));
-        let (normal, _) = sum.normalize()?;
+            normals.zip(weights).fold(Vec3::ZERO, |sum, (normal, weight)| add_scaled(sum, normal, weight));
+        let (normal, _) = normalized(sum)?;
         // More than rounding makes of 0: the tracer turns over what looks away.
-        let away = normal.dot(direction) + S::SLACK;
+        let away = dot(normal, direction) + S::SLACK;
         if away <= S::ZERO {
             return Some(normal);
         }
-        normal.add_scaled(direction, -away).normalize().map(|(bent, _)| bent)
+        normalized(add_scaled(normal, direction, -away)).map(|(bent, _)| bent)
     }
 
     /// Answers the point of the curved surface over a point of the triangle, on one side.
     fn bulge(&self, flat: Vec3<S>, weights: [S; 3], side: S) -> Vec3<S> {
         self.vertices.iter().zip(weights).fold(flat, |point, (vertex, weight)| {
-            let normal = vertex.normal * side;
-            let below = (vertex.point - flat).dot(normal).max(S::ZERO);
-            point.add_scaled(normal, below * weight)
+            let normal = scaled(vertex.normal, side);
+            let below = dot(difference(vertex.point, flat), normal).max(S::ZERO);
+            add_scaled(point, normal, below * weight)
         })
     }
 }
@@ -105,10 +107,10 @@ impl<S: Scalar> Intersect<S> for SmoothTriangle<S> {
         let weights = [S::ONE - u - v, u, v];
         let flat = self.flat();
         let outward = flat.normal().unwrap_or(-ray.direction);
-        let side = if outward.dot(ray.direction) > S::ZERO { -S::ONE } else { S::ONE };
-        let seen = outward * side;
-        let point = self.bulge(flat.point(u, v), weights, side).add_scaled(seen, self.step());
-        let normal = self.normal(weights, side, ray.direction).unwrap_or(seen) * side;
+        let side = if dot(outward, ray.direction) > S::ZERO { -S::ONE } else { S::ONE };
+        let seen = scaled(outward, side);
+        let point = add_scaled(self.bulge(flat.point(u, v), weights, side), seen, self.step());
+        let normal = scaled(self.normal(weights, side, ray.direction).unwrap_or(seen), side);
         let texture = |axis: fn(&Vertex<S>) -> S| {
             let corners = self.vertices.iter().zip(weights);
             corners.fold(S::ZERO, |sum, (vertex, weight)| sum.add_product(axis(vertex), weight))
@@ -116,10 +118,12 @@ impl<S: Scalar> Intersect<S> for SmoothTriangle<S> {
         Surface { point, normal, u: texture(|v| v.texture[0]), v: texture(|v| v.texture[1]), part: 0 }
     }
 
+    #[inline(never)]
     fn hull(&self) -> Hull<S> {
         self.flat().hull()
     }
 
+    #[inline(never)]
     fn check(&self) -> Result<(), Fault> {
         self.flat().check()?;
         let outward = self.flat().normal().ok_or(Fault::Degenerate)?;

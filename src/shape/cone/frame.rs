@@ -1,3 +1,4 @@
+use super::super::called::{add_scaled, dot, length, normalized, scaled};
 use super::hyperbola::Hyperbola;
 use crate::math::{Scalar, Vec3};
 
@@ -30,7 +31,7 @@ pub(super) struct Frame<S> {
 impl<S: Scalar> Frame<S> {
     /// Answers the height over the middle, and the radius there times the cosine.
     fn level(&self, from_middle: Vec3<S>) -> [S; 2] {
-        let height = from_middle.dot(self.axis);
+        let height = dot(from_middle, self.axis);
         [height, self.width.add_product(self.slant[1], height)]
     }
 
@@ -38,12 +39,12 @@ impl<S: Scalar> Frame<S> {
     pub fn within_side(&self, near: Vec3<S>, direction: Vec3<S>) -> Option<[S; 2]> {
         let [cosine, sine] = self.slant;
         let [height, width] = self.level(near);
-        let rise = direction.dot(self.axis);
+        let rise = dot(direction, self.axis);
         let (outward, pace) =
-            direction.add_scaled(self.axis, -rise).normalize().unwrap_or((Vec3::ZERO, S::ZERO));
-        let aside = near.add_scaled(self.axis, -height);
-        let along = aside.dot(outward);
-        let beside = aside.add_scaled(outward, -along).length() * cosine;
+            normalized(add_scaled(direction, self.axis, -rise)).unwrap_or((Vec3::ZERO, S::ZERO));
+        let aside = add_scaled(near, self.axis, -height);
+        let along = dot(aside, outward);
+        let beside = length(add_scaled(aside, outward, -along)) * cosine;
         let line = S::normalize([cosine * pace, sine * rise, S::ZERO]);
         let Some(([x, w, _], step)) = line else {
             // Along a cylinder.
@@ -55,7 +56,7 @@ impl<S: Scalar> Frame<S> {
 
     /// Answers between which distances from its nearest point the line of a ray is between the ends.
     pub fn between_ends(&self, near: Vec3<S>, direction: Vec3<S>) -> Option<Passage<S>> {
-        let (height, rise) = (near.dot(self.axis), direction.dot(self.axis));
+        let (height, rise) = (dot(near, self.axis), dot(direction, self.axis));
         let (to_base, to_apex) = (-self.half - height, self.half - height);
         if rise == S::ZERO {
             let inside = to_base <= S::ZERO && S::ZERO <= to_apex;
@@ -75,22 +76,22 @@ impl<S: Scalar> Frame<S> {
             APEX => Some((self.axis, self.half - height)),
             _ => {
                 let [cosine, sine] = self.slant;
-                let (outward, radius) = from_middle.add_scaled(self.axis, -height).normalize()?;
-                Some(((outward * cosine).add_scaled(self.axis, -sine), width - radius * cosine))
+                let (outward, radius) = normalized(add_scaled(from_middle, self.axis, -height))?;
+                Some((add_scaled(scaled(outward, cosine), self.axis, -sine), width - radius * cosine))
             }
         }
     }
 
     /// Answers how high a point is of the way from the base to the apex, from 0 to below 1.
     pub fn share(&self, point: Vec3<S>) -> S {
-        let share = ((point - self.middle).dot(self.axis) + self.half).ratio(self.half) * S::HALF;
+        let share = (dot(point - self.middle, self.axis) + self.half).ratio(self.half) * S::HALF;
         share.max(S::ZERO).min(S::BELOW_ONE)
     }
 
     /// Answers how far a disc of radius 1 across the axis reaches along each of the world's axes.
     pub fn reach_across(&self) -> Vec3<S> {
         let Vec3 { x, y, z } = self.axis;
-        let reach = |p: S, q: S| Vec3::new(p, q, S::ZERO).length();
+        let reach = |p: S, q: S| length(Vec3::new(p, q, S::ZERO));
         Vec3::new(reach(y, z), reach(z, x), reach(x, y))
     }
 }

@@ -2,6 +2,7 @@ mod frame;
 mod hyperbola;
 
 use super::Intersect;
+use super::called::{add_scaled, difference, dot, normalized, scaled};
 use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface};
@@ -61,12 +62,12 @@ impl<S> Cone<S> {
 impl<S: Scalar> Cone<S> {
     /// Answers half of the way from the base to the apex: in fixed point all of it may not fit.
     fn half(&self) -> Vec3<S> {
-        (self.apex - self.base) * S::HALF
+        scaled(difference(self.apex, self.base), S::HALF)
     }
 
     /// Answers the cone's own measure; `None` when base and apex coincide.
     fn frame(&self) -> Option<Frame<S>> {
-        let (axis, half) = self.half().normalize()?;
+        let (axis, half) = normalized(self.half())?;
         let growth = (self.apex_radius - self.base_radius) * S::HALF;
         let ([cosine, sine, _], _) = S::normalize([half, growth, S::ZERO])?;
         let width = (self.base_radius + growth) * cosine;
@@ -74,11 +75,12 @@ impl<S: Scalar> Cone<S> {
     }
 
     /// Answers where a ray enters and leaves the solid.
+    #[inline(never)]
     fn passage(&self, ray: &Ray<S>) -> Option<Passage<S>> {
         let half = self.half();
-        let to_middle = self.base + half - ray.origin;
-        let ahead = to_middle.dot(ray.direction);
-        let near = ray.direction * ahead - to_middle;
+        let from_middle = difference(difference(ray.origin, self.base), half);
+        let ahead = -dot(from_middle, ray.direction);
+        let near = add_scaled(from_middle, ray.direction, ahead);
         // Most rays miss the ball around it: they cost no root. Saturated, it is farther than anything.
         let radius = self.base_radius.max(self.apex_radius);
         let ball = half.dot_wide(half) + radius.mul_wide(radius);
@@ -113,10 +115,12 @@ impl<S: Scalar> Intersect<S> for Cone<S> {
     }
 
     /// From the surface outward the cone is behind; inward the ray leaves it at its far side.
+    #[inline(never)]
     fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
         self.crossing(self.passage(ray)?.leave, interval)
     }
 
+    #[inline(never)]
     fn surface(&self, ray: &Ray<S>, found: &Crossing<S>) -> Surface<S> {
         let (rough, part) = (ray.at(found.t), found.part);
         let Some(frame) = self.frame() else {
@@ -124,7 +128,7 @@ impl<S: Scalar> Intersect<S> for Cone<S> {
         };
         let (normal, depth) =
             frame.nearest_of(part, rough - frame.middle).unwrap_or((-ray.direction, S::ZERO));
-        let point = rough.add_scaled(normal, depth);
+        let point = add_scaled(rough, normal, depth);
         Surface { point, normal, u: S::ZERO, v: frame.share(point), part }
     }
 
@@ -133,15 +137,18 @@ impl<S: Scalar> Intersect<S> for Cone<S> {
         true
     }
 
+    #[inline(never)]
     fn hull(&self) -> Hull<S> {
         self.frame().map_or(Hull::Everything, |frame| {
             let around = frame.reach_across();
-            let (base, apex) = (around * self.base_radius, around * self.apex_radius);
-            let ends = [self.base - base, self.base + base, self.apex - apex, self.apex + apex];
-            Hull::Box(Aabb::around(&ends))
+            let ends = [(self.base, self.base_radius), (self.apex, self.apex_radius)];
+            let [[a, b], [c, d]] =
+                ends.map(|(end, radius)| [-radius, radius].map(|reach| add_scaled(end, around, reach)));
+            Hull::Box(Aabb::around(&[a, b, c, d]))
         })
     }
 
+    #[inline(never)]
     fn check(&self) -> Result<(), Fault> {
         let radii = [self.base_radius, self.apex_radius];
         if !(self.base.in_range() && self.apex.in_range() && radii.iter().all(|radius| radius.in_range())) {
