@@ -44,8 +44,8 @@ impl<S> Polygon<S> {
 }
 
 impl<S: Scalar> Polygon<S> {
-    /// Is how many times larger than what a corner may miss its plane by a polygon's extent is:
-    /// where it fills a picture, that is less than a pixel.
+    /// Is the extent of a polygon over what a corner may miss its plane by: less than a pixel where it
+    /// fills a picture.
     const FLAT: i32 = 1 << 10;
 
     /// Answers a vector across the best plane of some corners, its largest component 1, by the sum of
@@ -97,8 +97,8 @@ impl<S: Scalar> Polygon<S> {
     }
 
     fn has_area(&self) -> bool {
-        let pairs = self.vertices.iter().zip(self.vertices.iter().skip(1));
-        pairs.into_iter().any(|(a, b)| Triangle::new(self.first(), *a, *b).normal().is_some())
+        let mut pairs = self.vertices.iter().zip(self.vertices.iter().skip(1));
+        pairs.any(|(a, b)| Triangle::new(self.first(), *a, *b).normal().is_some())
     }
 
     fn is_flat(&self, normal: Vec3<S>) -> bool {

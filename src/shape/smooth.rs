@@ -28,8 +28,8 @@ impl<S> Vertex<S> {
 /// corners are interpolated by barycentric coordinates (Phong 1975; row O6). It is seen from both
 /// sides and its outline is that of the [`Triangle`].
 ///
-/// Its corners are the ones of no texture coordinates of their own: with (0, 0), (1, 0) and (0, 1) the
-/// interpolated ones are the barycentric ones, as [`Vertices`](crate::texture::Vertices) takes them.
+/// Corners without texture coordinates of their own take (0, 0), (1, 0) and (0, 1): between them these are
+/// the barycentric coordinates, by which [`Vertices`](crate::texture::Vertices) mixes colours.
 ///
 /// Where normal and triangle disagree:
 /// - A normal that looks away from the viewer, near an outline, is bent until it does not.
@@ -37,8 +37,9 @@ impl<S> Vertex<S> {
 ///   of the corners (Hanika 2021, in *Ray Tracing Gems II*): from there light and mirror images pass
 ///   over the edges of a bulging surface, so its shadow begins where its normals turn from the light and
 ///   not at an edge.
-/// - That point lies at least 2^-13 of the triangle's extent on the side it was seen from, so that light
-///   from behind meets the triangle itself and is stopped.
+/// - That point lies on the side it was seen from, at least 2^-13 off of the largest difference of a
+///   coordinate between the corners a and b or c, so that light from behind meets the triangle itself and
+///   is stopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmoothTriangle<S: 'static = f32> {
     /// Its corners, anticlockwise as seen from outside.
