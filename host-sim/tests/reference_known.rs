@@ -2,8 +2,8 @@
 
 use host_sim::reference::{self, Description, Picture, Vector};
 use scanray::{
-    Camera, Checker, Cuboid, Light, Material, Object, Plane, Projection, Rgb, Scene, Settings, Shape, Sky,
-    Sphere, Texture, Triangle, Vec3,
+    Camera, Checker, Cone, Cuboid, FillRule, Light, Material, Object, Plane, Polygon, Projection, Rgb, Scene,
+    Settings, Shape, Sky, SmoothTriangle, Sphere, Texture, Triangle, Vec3, Vertex,
 };
 
 const UP: Vec3<f64> = Vec3::new(0.0, 1.0, 0.0);
@@ -157,6 +157,75 @@ fn tiles_lie_on_planes_boxes_and_triangles_where_their_coordinates_say() {
     // The sides of 10 are the units: a tile is as wide as a pixel.
     let triangle = Triangle::new(v(-1.0, -1.0, 0.0), v(9.0, -1.0, 0.0), v(-1.0, 9.0, 0.0));
     assert_eq!(look(Shape::Triangle(triangle), 10.0), quadrants);
+}
+
+/// Answers the red light in the middle of a row of four pixels a unit wide, seen along z.
+fn row(shape: Shape<f64>) -> Vec<f64> {
+    let materials = [Material::matte(Rgb::WHITE)];
+    let (objects, lights) = ([Object::new(shape, 0)], [Light::directional(v(0.0, 0.0, 1.0), Rgb::WHITE)]);
+    let scene = Scene::new(&objects, &materials, &lights);
+    let camera = Camera::orthographic(v(0.0, 0.0, 10.0), ORIGIN, UP, 1.0);
+    draw(&scene, &camera, 0, [4, 1]).light.iter().map(|light| light.0[0]).collect()
+}
+
+#[track_caller]
+fn assert_row(shape: Shape<f64>, expected: [f64; 4]) {
+    let found = row(shape);
+    let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-12, "{found:?} is not {expected:?}");
+}
+
+#[test]
+fn cones_and_cylinders_have_the_light_computed_by_hand_inside_and_outside() {
+    let cosine = |x: f64| (1.0 - x * x).sqrt();
+    // Across: the light of a circle. Along: a cap, or nothing, and the inside of a funnel.
+    let across = Cone::cylinder(v(0.0, -3.0, 0.0), v(0.0, 3.0, 0.0), 1.0);
+    assert_row(Shape::Cone(across), [0.0, cosine(0.5), cosine(0.5), 0.0]);
+    assert_row(Shape::Cone(across.open()), [0.0, cosine(0.5), cosine(0.5), 0.0]);
+    let along = Cone::cylinder(v(0.0, 0.0, -3.0), v(0.0, 0.0, 3.0), 1.0);
+    assert_row(Shape::Cone(along), [0.0, 1.0, 1.0, 0.0]);
+    assert_row(Shape::Cone(along.open()), [0.0; 4]);
+    // Its side rises by 4 over 3 outward.
+    let funnel = Cone::new(v(0.0, 0.0, 0.0), 0.0, v(0.0, 0.0, 4.0), 3.0);
+    assert_row(Shape::Cone(funnel.open()), [0.6; 4]);
+    assert_row(Shape::Cone(funnel), [1.0; 4]);
+}
+
+#[test]
+fn polygons_hold_what_their_rule_says() {
+    // Around the middle two pixels twice, around the left one once.
+    static SPIRAL: [Vec3<f64>; 8] = [
+        Vec3::new(-2.0, -1.0, 0.0),
+        Vec3::new(1.0, -1.0, 0.0),
+        Vec3::new(1.0, 1.0, 0.0),
+        Vec3::new(-2.0, 1.0, 0.0),
+        Vec3::new(-1.0, -0.8, 0.0),
+        Vec3::new(0.9, -0.8, 0.0),
+        Vec3::new(0.9, 0.8, 0.0),
+        Vec3::new(-1.2, 0.8, 0.0),
+    ];
+    let polygon = |rule| Shape::Polygon(Polygon::new(&SPIRAL, v(0.0, 0.0, -2.0), rule));
+    assert_row(polygon(FillRule::Winding), [1.0, 1.0, 1.0, 0.0]);
+    assert_row(polygon(FillRule::OddEven), [1.0, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_smooth_triangle_is_lit_by_the_mixed_normals_of_its_corners() {
+    const FLAT: Vec3<f64> = Vec3::new(0.0, 0.0, 1.0);
+    static CORNERS: [Vertex<f64>; 3] = [
+        Vertex::new(Vec3::new(-2.0, -1.0, 0.0), FLAT, [0.0, 0.0]),
+        Vertex::new(Vec3::new(2.0, -1.0, 0.0), Vec3::new(0.8, 0.0, 0.6), [1.0, 0.0]),
+        Vertex::new(Vec3::new(-2.0, 9.0, 0.0), FLAT, [0.0, 1.0]),
+    ];
+    let light = |x: f64| {
+        let share = (x + 2.0) / 4.0;
+        let (aside, toward) = (0.8 * share, 1.0 - 0.4 * share);
+        toward / toward.hypot(aside)
+    };
+    assert_row(
+        Shape::SmoothTriangle(SmoothTriangle::new(&CORNERS)),
+        [light(-1.5), light(-0.5), light(0.5), light(1.5)],
+    );
 }
 
 #[test]

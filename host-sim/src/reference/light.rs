@@ -87,10 +87,9 @@ impl Description {
         let left = left.map_or(Vector([1.0; 3]), |glass| glass.left_after(way));
         let shape = &self.objects[object].shape;
         let material = &self.objects[object].material;
-        let outward = shape.normal(point, part);
-        let inside = outward.inner(ray.direction) > 0.0;
-        let normal = if inside { -outward } else { outward };
+        let inside = shape.normal(point, part).inner(ray.direction) > 0.0;
         let (color, tile) = material.texture.look(shape.texture_coordinates(point, part));
+        let (point, normal) = shape.lit(ray, point, part);
         let to_eye = -ray.direction.unit();
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
         let reached: Vec<bool> =
@@ -180,6 +179,7 @@ impl Texture {
                 let color = if (tile[0] + tile[1]).rem_euclid(2) == 0 { even } else { odd };
                 (color, Some(tile))
             }
+            Self::Vertices([a, b, c]) => (a + (b - a) * u + (c - a) * v, None),
         }
     }
 }
