@@ -18,15 +18,12 @@ impl<S: Scalar> Aabb<S> {
         Self { center: a + half, half: Vec3::new(half.x.abs(), half.y.abs(), half.z.abs()) }
     }
 
-    /// Makes the smallest box around three points.
-    pub fn around(points: [Vec3<S>; 3]) -> Self {
-        let [a, b, c] = points;
-        let low = |a: S, b: S, c: S| a.min(b).min(c);
-        let high = |a: S, b: S, c: S| a.max(b).max(c);
-        Self::between(
-            Vec3::new(low(a.x, b.x, c.x), low(a.y, b.y, c.y), low(a.z, b.z, c.z)),
-            Vec3::new(high(a.x, b.x, c.x), high(a.y, b.y, c.y), high(a.z, b.z, c.z)),
-        )
+    /// Makes the smallest box around some points; around none, that of the origin alone.
+    pub fn around(points: &[Vec3<S>]) -> Self {
+        let first = points.first().copied().unwrap_or(Vec3::ZERO);
+        let low = |a: Vec3<S>, b: &Vec3<S>| Vec3::new(a.x.min(b.x), a.y.min(b.y), a.z.min(b.z));
+        let high = |a: Vec3<S>, b: &Vec3<S>| Vec3::new(a.x.max(b.x), a.y.max(b.y), a.z.max(b.z));
+        Self::between(points.iter().fold(first, low), points.iter().fold(first, high))
     }
 
     /// Answers how far the box reaches from its center along a unit direction.

@@ -15,10 +15,16 @@ pub enum Fault {
     RadiusNotPositive,
     /// Corners coincide or lie on a line.
     Degenerate,
+    /// A polygon has fewer than three corners.
+    TooFewCorners,
+    /// A corner of a polygon lies off its plane by more than 1/1024 of the polygon's extent.
+    NotFlat,
     /// The low corner of a box lies above the high one.
     CornersSwapped,
     /// A normal or direction has no length, or an `up` not unit length.
     NoDirection,
+    /// A normal given for a corner does not point to the outward side of its triangle.
+    NormalInward,
     /// The object names a material that is not in the list.
     NoSuchMaterial(u16),
     /// There are more objects than an index can name, 65535.
@@ -34,8 +40,11 @@ impl fmt::Display for Fault {
             Self::MirrorWeight => f.write_str("its mirror weight is not between 0 and 1"),
             Self::RadiusNotPositive => f.write_str("its radius is not above zero"),
             Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
+            Self::TooFewCorners => f.write_str("it has fewer than three corners"),
+            Self::NotFlat => f.write_str("its corners do not lie in the plane across its normal"),
             Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),
             Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
+            Self::NormalInward => f.write_str("the normal of a corner does not point to its outward side"),
             Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
             Self::TooMany => f.write_str("there are more than 65535 of them"),
         }

@@ -35,7 +35,7 @@ impl<S: Scalar> Hull<S> {
         match *self {
             Self::Ball { center, radius } => Some(Aabb { center, half: Vec3::new(radius, radius, radius) }),
             Self::Box(bounds) => Some(bounds),
-            Self::Triangle(corners) => Some(Aabb::around(corners)),
+            Self::Triangle(corners) => Some(Aabb::around(&corners)),
             Self::Plane { .. } | Self::Everything => None,
         }
     }

@@ -93,8 +93,10 @@ pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
 pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
-pub use shape::{Cuboid, Intersect, Plane, Shape, Sphere, Triangle};
-pub use texture::{Checker, Texture};
+pub use shape::{
+    Cone, Cuboid, FillRule, Intersect, Plane, Polygon, Shape, SmoothTriangle, Sphere, Triangle, Vertex,
+};
+pub use texture::{Checker, Texture, Vertices};
 
 /// Runs the README's example as a test.
 #[cfg(doctest)]

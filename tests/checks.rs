@@ -5,9 +5,9 @@ mod support;
 use embedded_graphics::pixelcolor::Gray8;
 use embedded_graphics::prelude::Size;
 use scanray::{
-    Camera, CameraError, Checker, Cuboid, Fault, Fixed, Full, Light, Material, Object, Plane, Projection,
-    Renderer, Rgb, Scene, SceneBuffer, SceneError, Settings, Shape, Sky, Sphere, Texture, Triangle, Vec3,
-    Workspace,
+    Camera, CameraError, Checker, Cone, Cuboid, Fault, FillRule, Fixed, Full, Light, Material, Object, Plane,
+    Polygon, Projection, Renderer, Rgb, Scene, SceneBuffer, SceneError, Settings, Shape, Sky, SmoothTriangle,
+    Sphere, Texture, Triangle, Vec3, Vertex, Vertices, Workspace,
 };
 use support::{LIGHTS, MATERIALS, OBJECTS, ball, camera, scene, v};
 
@@ -54,6 +54,57 @@ fn faults_of_shapes_are_told_apart() {
 }
 
 #[test]
+fn faults_of_polygons_are_told_apart() {
+    let fault = |vertices: &[Vec3], normal| {
+        let vertices = vertices.to_vec().leak();
+        fault_of(Shape::Polygon(Polygon::new(vertices, normal, FillRule::Winding)))
+    };
+    let up = v(0.0, 2.0, 0.0);
+    let square = [v(0.0, 1.0, 0.0), v(2.0, 1.0, 0.0), v(2.0, 1.0, 2.0), v(0.0, 1.0, 2.0)];
+    assert_eq!(fault(&square, up), None);
+    assert_eq!(fault(&square[..2], up), Some(Fault::TooFewCorners));
+    assert_eq!(fault(&[], up), Some(Fault::TooFewCorners));
+    assert_eq!(fault(&square, v(0.0, 0.0, 0.0)), Some(Fault::NoDirection));
+    assert_eq!(fault(&square, v(0.0, f32::NAN, 0.0)), Some(Fault::OutOfRange));
+    assert_eq!(fault(&square, v(0.0, 1.0, 0.01)), Some(Fault::NotFlat));
+    let bent = |height| [square[0], square[1], square[2], v(0.0, height, 2.0)];
+    assert_eq!(fault(&bent(1.001), up), None, "within 1/1024 of 2");
+    assert_eq!(fault(&bent(1.003), up), Some(Fault::NotFlat));
+    assert_eq!(fault(&bent(f32::INFINITY), up), Some(Fault::OutOfRange));
+    let line = [square[0], square[1], square[0], square[1]];
+    assert_eq!(fault(&line, up), Some(Fault::Degenerate));
+}
+
+#[test]
+fn faults_of_cones_are_told_apart() {
+    let (o, top) = (v(0.0, 0.0, 0.0), v(0.0, 1.0, 0.0));
+    let fault = |radii: [f32; 2], apex| fault_of(Shape::Cone(Cone::new(o, radii[0], apex, radii[1])));
+    assert_eq!(fault([1.0, 0.0], top), None);
+    assert_eq!(fault([0.0, 1.0], top), None);
+    assert_eq!(fault([0.0, 0.0], top), Some(Fault::RadiusNotPositive));
+    assert_eq!(fault([-1.0, 1.0], top), Some(Fault::RadiusNotPositive));
+    assert_eq!(fault([1.0, f32::NAN], top), Some(Fault::OutOfRange));
+    assert_eq!(fault([1.0, 1.0], v(0.0, 1e17, 0.0)), Some(Fault::OutOfRange));
+    assert_eq!(fault([1.0, 1.0], o), Some(Fault::NoDirection));
+}
+
+#[test]
+fn faults_of_smooth_triangles_are_told_apart() {
+    let up = v(0.0, 0.0, 1.0);
+    let fault = |last, normal| {
+        let vertex = |point, normal| Vertex::new(point, normal, [0.0, 0.0]);
+        let corners = [vertex(v(0.0, 0.0, 0.0), up), vertex(v(1.0, 0.0, 0.0), up), vertex(last, normal)];
+        fault_of(Shape::SmoothTriangle(SmoothTriangle::new(Box::leak(Box::new(corners)))))
+    };
+    let last = v(0.0, 1.0, 0.0);
+    assert_eq!(fault(last, v(0.6, 0.0, 0.8)), None);
+    assert_eq!(fault(last, v(0.0, 0.0, 2.0)), Some(Fault::NoDirection));
+    assert_eq!(fault(last, v(0.0, 0.0, -1.0)), Some(Fault::NormalInward));
+    assert_eq!(fault(last, v(f32::NAN, 0.0, 0.8)), Some(Fault::OutOfRange));
+    assert_eq!(fault(v(2.0, 0.0, 0.0), up), Some(Fault::Degenerate));
+}
+
+#[test]
 fn a_material_that_is_not_there_is_named() {
     let objects = [ball(0.0, 0.0, 0.0, 1.0, 3)];
     let error = Scene { objects: &objects, ..scene() }.check().unwrap_err();
@@ -72,6 +123,7 @@ fn faults_of_materials_lights_sky_and_ambient_light_are_named() {
         Material::matte(Rgb::BLACK).with_specular(nan, 5),
         Material::matte(Rgb::BLACK).with_ambient(f32::INFINITY),
         Material::textured(Texture::Checker(Checker::new(Rgb::BLACK, nan, 1.0))),
+        Material::textured(Texture::Vertices(Vertices::new(Rgb::BLACK, Rgb::WHITE, nan))),
     ] {
         let materials = [MATERIALS[0], MATERIALS[1], MATERIALS[2], bad];
         let error = check(Scene { materials: &materials, ..scene() });

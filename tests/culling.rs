@@ -5,8 +5,8 @@ use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use scanray::trace::{Candidates, Packet, Tracer};
 use scanray::{
-    Camera, Cuboid, Fixed, Light, Material, Object, Plane, Projection, Renderer, Rgb, Scalar, Scene,
-    Settings, Shape, Sky, Sphere, Triangle, Vec3, Workspace,
+    Camera, Cone, Cuboid, FillRule, Fixed, Light, Material, Object, Plane, Polygon, Projection, Renderer,
+    Rgb, Scalar, Scene, Settings, Shape, Sky, SmoothTriangle, Sphere, Triangle, Vec3, Vertex, Workspace,
 };
 
 const COLUMNS: u32 = 40;
@@ -21,10 +21,27 @@ enum Plain {
     Box(Point, Point),
     Corner(Point, Point, Point),
     Floor(Point, Point),
+    Outline { center: Point, edges: [Point; 2], places: Vec<[f64; 2]>, rule: FillRule },
+    Cone { ends: [Point; 2], radii: [f64; 2], capped: bool },
+    Smooth([Point; 3]),
 }
 
 fn point(size: f64) -> impl Strategy<Value = Point> {
     [-size..size, -size..size, -size..size]
+}
+
+fn outline() -> impl Strategy<Value = Plain> {
+    let rule = prop_oneof![Just(FillRule::OddEven), Just(FillRule::Winding)];
+    let places = prop::collection::vec([-2.0..2.0, -2.0..2.0], 3..9);
+    (point(8.0), [point(2.0), point(2.0)], places, rule)
+        .prop_map(|(center, edges, places, rule)| Plain::Outline { center, edges, places, rule })
+}
+
+fn cone() -> impl Strategy<Value = Plain> {
+    (point(8.0), point(4.0), [0.0..2.5, 0.0..2.5], prop::bool::ANY).prop_map(|(base, way, radii, capped)| {
+        let apex = [0, 1, 2].map(|axis| base[axis] + way[axis]);
+        Plain::Cone { ends: [base, apex], radii, capped }
+    })
 }
 
 fn shape() -> impl Strategy<Value = Plain> {
@@ -32,6 +49,9 @@ fn shape() -> impl Strategy<Value = Plain> {
         3 => (point(8.0), 0.05..5.0).prop_map(|(c, r)| Plain::Ball(c, r)),
         1 => (point(8.0), point(3.0)).prop_map(|(a, e)| Plain::Box(a, e.map(|e| e.abs() + 0.05))),
         1 => (point(8.0), point(5.0), point(5.0)).prop_map(|(a, e, f)| Plain::Corner(a, e, f)),
+        1 => outline(),
+        1 => cone(),
+        1 => (point(8.0), point(5.0), point(5.0)).prop_map(|(a, e, f)| Plain::Smooth([a, e, f])),
         1 => (point(8.0), point(1.0)).prop_map(|(p, n)| Plain::Floor(p, n)),
         // A floor below most things, as scenes have it: shadows fall on it in long outlines.
         1 => (-8.0..0.0).prop_map(|y| Plain::Floor([0.0, y, 0.0], [0.0, 1.0, 0.0])),
@@ -62,12 +82,51 @@ fn vector<S: Scalar>(number: fn(f64) -> S, [x, y, z]: Point) -> Vec3<S> {
     Vec3::new(number(x), number(y), number(z))
 }
 
+fn cross([a, b, c]: Point, [x, y, z]: Point) -> Point {
+    [b * z - c * y, c * x - a * z, a * y - b * x]
+}
+
+/// Answers the corners of a polygon by two edges of its plane.
+fn corners<S: Scalar>(
+    number: fn(f64) -> S,
+    center: Point,
+    [e, f]: [Point; 2],
+    places: &[[f64; 2]],
+) -> Vec<Vec3<S>> {
+    let corner = |[p, q]: &[f64; 2]| vector(number, [0, 1, 2].map(|i| center[i] + p * e[i] + q * f[i]));
+    places.iter().map(corner).collect()
+}
+
+/// Makes a triangle whose normals lean outward, away from its middle.
+fn smooth<S: Scalar>(number: fn(f64) -> S, [a, e, f]: [Point; 3]) -> SmoothTriangle<S> {
+    let normal = cross(e, f);
+    let vertex = |[p, q]: [f64; 2]| {
+        let point = [0, 1, 2].map(|i| a[i] + p * e[i] + q * f[i]);
+        let lean = [0, 1, 2].map(|i| normal[i] + (p - 0.3) * e[i] + (q - 0.3) * f[i]);
+        let length = lean.iter().map(|c| c * c).sum::<f64>().sqrt();
+        Vertex::new(vector(number, point), vector(number, lean.map(|c| c / length)), [number(0.0); 2])
+    };
+    let vertices = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(vertex);
+    SmoothTriangle::new(Box::leak(Box::new(vertices)))
+}
+
 fn build<S: Scalar>(number: fn(f64) -> S, shape: &Plain) -> Shape<S> {
     let v = |p: &Point| vector(number, *p);
     match shape {
         Plain::Ball(center, radius) => Shape::Sphere(Sphere::new(v(center), number(*radius))),
         Plain::Box(low, extent) => Shape::Cuboid(Cuboid::new(v(low), v(low) + v(extent))),
         Plain::Corner(a, e, f) => Shape::Triangle(Triangle::new(v(a), v(a) + v(e), v(a) + v(f))),
+        Plain::Outline { center, edges, places, rule } => {
+            let normal = vector(number, cross(edges[0], edges[1]));
+            // Never freed: a test is soon over.
+            let vertices = corners(number, *center, *edges, places).leak();
+            Shape::Polygon(Polygon::new(vertices, normal, *rule))
+        }
+        Plain::Cone { ends: [base, apex], radii: [wide, narrow], capped } => {
+            let cone = Cone::new(v(base), number(*wide), v(apex), number(*narrow));
+            Shape::Cone(if *capped { cone } else { cone.open() })
+        }
+        Plain::Smooth(corners) => Shape::SmoothTriangle(smooth(number, *corners)),
         Plain::Floor(point, normal) => Shape::Plane(Plane::new(v(point), v(normal))),
     }
 }

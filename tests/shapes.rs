@@ -1,21 +1,12 @@
 //! Shapes give the known answers, in every number.
 
-use scanray::hit::Crossing;
+#[macro_use]
+mod kit;
+
+use kit::{Kit, ahead};
 use scanray::math::Scalar;
 use scanray::ray::{Interval, Ray};
-use scanray::{Cuboid, Fixed, Intersect, Plane, Sphere, Triangle, Vec3};
-
-/// Runs the same checks in every number.
-macro_rules! in_every_number {
-    ($($name:ident),+ $(,)?) => {
-        $(#[test]
-        fn $name() {
-            checks::$name(|x| x as f32, f64::from);
-            checks::$name(Fixed::new, Fixed::to_f64);
-            checks::$name(|x| x, |x| x);
-        })+
-    };
-}
+use scanray::{Cuboid, Intersect, Plane, Sphere, Triangle};
 
 in_every_number! {
     a_ray_at_a_ball_hits_its_near_side,
@@ -39,35 +30,6 @@ in_every_number! {
 
 mod checks {
     use super::*;
-
-    /// Makes vectors and rays of plain numbers.
-    struct Kit<S>(fn(f64) -> S, fn(S) -> f64);
-
-    impl<S: Scalar> Kit<S> {
-        fn v(&self, x: f64, y: f64, z: f64) -> Vec3<S> {
-            Vec3::new((self.0)(x), (self.0)(y), (self.0)(z))
-        }
-
-        fn ray(&self, origin: [f64; 3], toward: [f64; 3]) -> Ray<S> {
-            let [x, y, z] = toward;
-            let (direction, _) = self.v(x, y, z).normalize().expect("a direction");
-            let [x, y, z] = origin;
-            Ray::new(self.v(x, y, z), direction)
-        }
-
-        fn t(&self, hit: Option<Crossing<S>>) -> Option<f64> {
-            hit.map(|hit| (self.1)(hit.t))
-        }
-
-        fn assert_near(&self, value: Option<f64>, expected: f64) {
-            let value = value.expect("a hit");
-            assert!((value - expected).abs() < 1e-4, "{value} instead of {expected}");
-        }
-    }
-
-    fn ahead<S: Scalar>() -> Interval<S> {
-        Interval::AHEAD
-    }
 
     pub fn a_ray_at_a_ball_hits_its_near_side<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
         let kit = Kit(make, read);

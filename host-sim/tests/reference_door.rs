@@ -7,9 +7,10 @@ use std::{fs, io};
 const DOOR: &str = "description.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 14] = [
+const DATA: [&str; 15] = [
     "Camera",
     "Dither",
+    "FillRule",
     "Light",
     "Material",
     "Model",

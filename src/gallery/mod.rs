@@ -69,6 +69,9 @@ mod mirror_levels;
 mod orthographic;
 mod playdate;
 mod simple;
+mod smooth;
+mod stars;
+mod still_life;
 mod three_spheres;
 mod tinyraytracer;
 
@@ -111,11 +114,14 @@ macro_rules! gallery_of {
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
             pub use super::playdate::$module::VIEW as PLAYDATE;
             pub use super::simple::$module::VIEW as SIMPLE;
+            pub use super::smooth::$module::VIEW as SMOOTH;
+            pub use super::stars::$module::VIEW as STARS;
+            pub use super::still_life::$module::VIEW as STILL_LIFE;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
 
             /// Lists the gallery; a constant that takes one of it links that scene alone.
-            pub static VIEWS: [super::View<$number>; 9] = [
+            pub static VIEWS: [super::View<$number>; 12] = [
                 SIMPLE,
                 FIRST_LIGHT,
                 MIRROR_LEVELS,
@@ -125,6 +131,9 @@ macro_rules! gallery_of {
                 C_RAY,
                 BUSINESS_CARD,
                 PLAYDATE,
+                STARS,
+                STILL_LIFE,
+                SMOOTH,
             ];
         }
 

@@ -79,6 +79,16 @@ impl<S: Scalar> Vec3<S> {
         self.add_scaled(normal, -(along + along))
     }
 
+    /// Answers the largest magnitude of a component.
+    pub fn largest(self) -> S {
+        self.x.abs().max(self.y.abs()).max(self.z.abs())
+    }
+
+    /// Tells whether the length is within 1/256 of 1.
+    pub fn is_unit(self) -> bool {
+        (self.length() - S::ONE).abs() < S::recip(S::from_i32(256))
+    }
+
     /// Multiplies by a scalar into wide components.
     pub fn mul_wide(self, rhs: S) -> WideVec3<S> {
         WideVec3 { x: self.x.mul_wide(rhs), y: self.y.mul_wide(rhs), z: self.z.mul_wide(rhs) }

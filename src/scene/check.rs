@@ -3,7 +3,7 @@ use crate::environment::Sky;
 use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
-use crate::math::{Scalar, Vec3};
+use crate::math::Scalar;
 use crate::shape::Intersect;
 use core::fmt;
 
@@ -58,19 +58,12 @@ fn check_light<S: Scalar>(light: &Light<S>) -> Result<(), Fault> {
     }
 }
 
-/// Accepts a vector whose length is within 1/256 of 1.
-fn check_unit<S: Scalar>(v: Vec3<S>) -> Result<(), Fault> {
-    let slack = S::recip(S::from_i32(256));
-    let off = (v.length() - S::ONE).abs();
-    if off < slack { Ok(()) } else { Err(Fault::NoDirection) }
-}
-
 fn check_sky<S: Scalar>(sky: &Sky<S>) -> Result<(), Fault> {
     match sky {
         Sky::Solid(color) => in_range(color.in_range()),
         Sky::Gradient { up, nadir, zenith } => {
             in_range(up.in_range() && nadir.in_range() && zenith.in_range())?;
-            check_unit(*up)
+            if up.is_unit() { Ok(()) } else { Err(Fault::NoDirection) }
         }
     }
 }

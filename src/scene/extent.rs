@@ -4,18 +4,14 @@ use crate::environment::Sky;
 use crate::hull::Hull;
 use crate::light::Light;
 use crate::material::Material;
-use crate::math::{Scalar, Vec3};
+use crate::math::Scalar;
 use crate::shape::Intersect;
 use crate::texture::Texture;
 
-fn largest<S: Scalar>(v: Vec3<S>) -> S {
-    v.x.abs().max(v.y.abs()).max(v.z.abs())
-}
-
 fn reach<S: Scalar>(hull: &Hull<S>) -> S {
     match *hull {
-        Hull::Plane { point, .. } => largest(point),
-        _ => hull.bounds().map_or(S::ZERO, |bounds| largest(bounds.center) + largest(bounds.half)),
+        Hull::Plane { point, .. } => point.largest(),
+        _ => hull.bounds().map_or(S::ZERO, |bounds| bounds.center.largest() + bounds.half.largest()),
     }
 }
 
@@ -23,6 +19,9 @@ fn brightest_of_texture<S: Scalar>(texture: &Texture<S>) -> S {
     match texture {
         Texture::Solid(color) => color.max(),
         Texture::Checker(checker) => checker.even.max().max(checker.odd.max()),
+        Texture::Vertices(vertices) => {
+            vertices.colors.iter().fold(S::ZERO, |most, color| most.max(color.max()))
+        }
     }
 }
 
@@ -32,7 +31,7 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
     pub fn largest(&self) -> S {
         let shapes = self.objects.iter().map(|object| reach(&object.shape.hull()));
         let lights = self.lights.iter().map(|light| match *light {
-            Light::Point { position, .. } => largest(position),
+            Light::Point { position, .. } => position.largest(),
             Light::Directional { .. } => S::ZERO,
         });
         shapes.chain(lights).fold(S::ZERO, S::max)

@@ -17,7 +17,7 @@ use core::convert::Infallible;
 
 /// Is a shape with its material's place in the scene's list.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Object<S = f32, X = Infallible> {
+pub struct Object<S: 'static = f32, X = Infallible> {
     /// The surface.
     pub shape: Shape<S, X>,
     /// Index into [`Scene::materials`].
@@ -36,7 +36,7 @@ impl<S, X> Object<S, X> {
 /// The same scene from flash and from a [`SceneBuffer`] draws the same picture. The order of the
 /// objects does not matter, but where two surfaces coincide: there the first one listed is seen.
 #[derive(Debug, PartialEq)]
-pub struct Scene<'a, S = f32, X = Infallible> {
+pub struct Scene<'a, S: 'static = f32, X = Infallible> {
     /// Shapes with their materials.
     pub objects: &'a [Object<S, X>],
     /// What the objects are made of.

@@ -3,13 +3,19 @@
 //! Each file holds the same four parts: the equation, the struct with its `const fn new`, its
 //! [`Intersect`], its tests.
 
+mod cone;
 mod cuboid;
 mod plane;
+mod polygon;
+mod smooth;
 mod sphere;
 mod triangle;
 
+pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use plane::Plane;
+pub use polygon::{FillRule, Polygon};
+pub use smooth::{SmoothTriangle, Vertex};
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
@@ -66,7 +72,7 @@ pub trait Intersect<S: Scalar> {
 
 /// Is one of the shapes a scene is made of; `X` is the user's own, by default none.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape<S = f32, X = Infallible> {
+pub enum Shape<S: 'static = f32, X = Infallible> {
     /// A ball.
     Sphere(Sphere<S>),
     /// An endless plane.
@@ -75,6 +81,12 @@ pub enum Shape<S = f32, X = Infallible> {
     Triangle(Triangle<S>),
     /// A box along the axes.
     Cuboid(Cuboid<S>),
+    /// A flat polygon of any outline.
+    Polygon(Polygon<S>),
+    /// A cone or a cylinder, whole or cut off, solid or open.
+    Cone(Cone<S>),
+    /// A triangle lit as a piece of a curved surface.
+    SmoothTriangle(SmoothTriangle<S>),
     /// The user's own shape.
     Custom(X),
 }
@@ -87,6 +99,9 @@ macro_rules! dispatch {
             $crate::shape::Shape::Plane($inner) => $call,
             $crate::shape::Shape::Triangle($inner) => $call,
             $crate::shape::Shape::Cuboid($inner) => $call,
+            $crate::shape::Shape::Polygon($inner) => $call,
+            $crate::shape::Shape::Cone($inner) => $call,
+            $crate::shape::Shape::SmoothTriangle($inner) => $call,
             $crate::shape::Shape::Custom($inner) => $call,
         }
     };

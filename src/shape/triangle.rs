@@ -34,7 +34,7 @@ impl<S: Scalar> Triangle<S> {
     }
 
     /// Answers the unit normal; `None` when the corners lie on a line.
-    fn normal(&self) -> Option<Vec3<S>> {
+    pub(super) fn normal(&self) -> Option<Vec3<S>> {
         // Unit edges first: the product of two long ones would not fit a fixed-point number.
         let (e, f) = self.edges();
         let (e, f) = (e.normalize()?.0, f.normalize()?.0);
@@ -42,7 +42,8 @@ impl<S: Scalar> Triangle<S> {
         (sine > S::PARALLEL).then_some(normal)
     }
 
-    fn point(&self, u: S, v: S) -> Vec3<S> {
+    /// Answers the point of barycentric coordinates.
+    pub(super) fn point(&self, u: S, v: S) -> Vec3<S> {
         let (e, f) = self.edges();
         self.a + e * u + f * v
     }

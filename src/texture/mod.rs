@@ -1,8 +1,10 @@
 //! Textures: what colours a surface has from place to place.
 
 mod checker;
+mod vertices;
 
 pub use checker::Checker;
+pub use vertices::Vertices;
 
 use crate::color::Rgb;
 use crate::hit::Surface;
@@ -16,6 +18,8 @@ pub enum Texture<S = f32> {
     Solid(Rgb<S>),
     /// A chessboard over the shape's texture coordinates.
     Checker(Checker<S>),
+    /// A colour for each corner of a triangle.
+    Vertices(Vertices<S>),
 }
 
 impl<S: Scalar> Texture<S> {
@@ -24,13 +28,14 @@ impl<S: Scalar> Texture<S> {
         match self {
             Self::Solid(color) => *color,
             Self::Checker(checker) => checker.color(surface.u, surface.v),
+            Self::Vertices(vertices) => vertices.color(surface.u, surface.v),
         }
     }
 
     /// Answers a number of the tile at a hit: neighbouring tiles have different ones.
     pub fn tile(&self, surface: &Surface<S>) -> u32 {
         match self {
-            Self::Solid(_) => 0,
+            Self::Solid(_) | Self::Vertices(_) => 0,
             Self::Checker(checker) => checker.tile(surface.u, surface.v),
         }
     }
@@ -40,6 +45,7 @@ impl<S: Scalar> Texture<S> {
         match self {
             Self::Solid(color) => color.in_range(),
             Self::Checker(checker) => checker.in_range(),
+            Self::Vertices(vertices) => vertices.in_range(),
         }
     }
 }

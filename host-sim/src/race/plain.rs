@@ -55,8 +55,8 @@ impl Plain {
         });
         let ambient = grey(scene.ambient)?;
         let bodies = scene.objects.iter().map(|object| {
-            if matches!(object.shape, Shape::Cuboid(_)) {
-                return Err(Fault::Unwritable("boxes"));
+            if let Some(word) = unwritable(&object.shape) {
+                return Err(Fault::Unwritable(word));
             }
             let material = &scene.materials[usize::from(object.material)];
             Ok(Body { shape: object.shape, finish: Finish::of(material, ambient)? })
@@ -69,6 +69,18 @@ impl Plain {
             lights: lights.collect::<Result<_, _>>()?,
             bodies: bodies.collect::<Result<_, _>>()?,
         })
+    }
+}
+
+/// Answers what a shape is called that some program has no word for.
+fn unwritable(shape: &Shape<f64>) -> Option<&'static str> {
+    match shape {
+        Shape::Sphere(_) | Shape::Plane(_) | Shape::Triangle(_) => None,
+        Shape::Cuboid(_) => Some("boxes"),
+        Shape::Polygon(_) => Some("polygons"),
+        Shape::Cone(_) => Some("cones"),
+        Shape::SmoothTriangle(_) => Some("smooth triangles"),
+        Shape::Custom(none) => match *none {},
     }
 }
 

@@ -1,5 +1,7 @@
 //! The door: copies a scene's plain data out of the core's types. Nothing is calculated here.
 
+use super::cone::Cone;
+use super::smooth::Smooth;
 use super::vector::Vector;
 use crate::panel::Panel;
 use std::fmt;
@@ -31,18 +33,21 @@ pub struct Description {
     pub(super) exposure: f64,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Object {
     pub shape: Shape,
     pub material: Material,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Shape {
     Sphere { center: Vector, radius: f64 },
     Plane { point: Vector, normal: Vector },
     Triangle { corners: [Vector; 3] },
     Cuboid { low: Vector, high: Vector },
+    Polygon { vertices: Vec<Vector>, normal: Vector, odd_even: bool },
+    Cone(Cone),
+    Smooth(Smooth),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +64,7 @@ pub(super) struct Material {
 pub(super) enum Texture {
     Solid(Vector),
     Checker { even: Vector, odd: Vector, per_unit: f64 },
+    Vertices([Vector; 3]),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -116,6 +122,26 @@ fn shape(shape: &scanray::Shape<f64>) -> Shape {
         scanray::Shape::Plane(p) => Shape::Plane { point: vector(&p.point), normal: vector(&p.normal) },
         scanray::Shape::Triangle(t) => Shape::Triangle { corners: [&t.a, &t.b, &t.c].map(vector) },
         scanray::Shape::Cuboid(c) => Shape::Cuboid { low: vector(&c.low), high: vector(&c.high) },
+        scanray::Shape::Polygon(p) => {
+            let odd_even = match p.rule {
+                scanray::FillRule::OddEven => true,
+                scanray::FillRule::Winding => false,
+            };
+            let vertices = p.vertices.iter().map(vector).collect();
+            Shape::Polygon { vertices, normal: vector(&p.normal), odd_even }
+        }
+        scanray::Shape::Cone(c) => {
+            let (ends, radii) = ([&c.base, &c.apex].map(vector), [c.base_radius, c.apex_radius]);
+            Shape::Cone(Cone { ends, radii, capped: c.capped })
+        }
+        scanray::Shape::SmoothTriangle(t) => {
+            let [a, b, c] = t.vertices;
+            Shape::Smooth(Smooth {
+                points: [&a.point, &b.point, &c.point].map(vector),
+                normals: [&a.normal, &b.normal, &c.normal].map(vector),
+                coordinates: [a.texture, b.texture, c.texture],
+            })
+        }
         scanray::Shape::Custom(none) => match *none {},
     }
 }
@@ -125,6 +151,10 @@ fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
         scanray::Texture::Solid(color) => Ok(Texture::Solid(light(color))),
         scanray::Texture::Checker(c) => {
             Ok(Texture::Checker { even: light(&c.even), odd: light(&c.odd), per_unit: c.per_unit })
+        }
+        scanray::Texture::Vertices(v) => {
+            let [a, b, c] = &v.colors;
+            Ok(Texture::Vertices([a, b, c].map(light)))
         }
         _ => Err(Unknown("texture")),
     }

@@ -60,9 +60,8 @@ impl Description {
         let Some(Arrival { object, part, point }) = arrival else { return self.sky_light(ray.direction) };
         let shape = &self.objects[object].shape;
         let material = &self.objects[object].material;
-        let normal = shape.normal(point, part);
-        let normal = if normal.inner(ray.direction) > 0.0 { -normal } else { normal };
         let (color, tile) = material.texture.look(shape.texture_coordinates(point, part));
+        let (point, normal) = shape.lit(ray, point, part);
         let to_eye = -ray.direction.unit();
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
         let reached: Vec<bool> =
@@ -130,6 +129,7 @@ impl Texture {
                 let color = if (tile[0] + tile[1]).rem_euclid(2) == 0 { even } else { odd };
                 (color, Some(tile))
             }
+            Self::Vertices([a, b, c]) => (a + (b - a) * u + (c - a) * v, None),
         }
     }
 }

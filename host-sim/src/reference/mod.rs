@@ -3,19 +3,22 @@
 //! It shares the scene description with the core and nothing else. [`Description`] and [`Output`]
 //! are its only doors: they copy plain data, and no other file here may name the core. Where the
 //! core has one formula, the reference has another: the quadratic with both of its roots, a
-//! triangle by its plane and areas, a box by six planes, bounces by recursion, rays by inverted
+//! triangle by its plane and areas, a box by six planes, a polygon by sums of angles, bounces by recursion, rays by inverted
 //! camera matrices, every object asked every time, `powf` and the exact transfer curve.
 //!
 //! Besides light it answers a [`Trail`] for each pixel: all that the ray tree met. Where the trails
 //! of two neighbours differ there is a silhouette, and a rounding error may show either side.
 
 mod camera;
+mod cone;
 mod description;
 mod display;
 mod light;
 mod matrix;
+mod outline;
 mod picture;
 mod shape;
+mod smooth;
 mod trail;
 mod vector;
 

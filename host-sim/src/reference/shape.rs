@@ -1,4 +1,5 @@
 use super::description::Shape;
+use super::outline::surrounds;
 use super::vector::Vector;
 
 /// Is a half-line; its direction has any length.
@@ -19,12 +20,12 @@ impl Ray {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Root {
     pub t: f64,
-    /// The face of a box, else 0.
+    /// The face of a box, the part of a cone, else 0.
     pub part: u8,
 }
 
 /// Answers both roots of `a t^2 + b t + c`, the smaller first.
-fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
+pub(super) fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {
         return vec![];
@@ -33,13 +34,13 @@ fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
     vec![(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]
 }
 
-fn plane_root(ray: &Ray, point: Vector, normal: Vector) -> Option<f64> {
+pub(super) fn plane_root(ray: &Ray, point: Vector, normal: Vector) -> Option<f64> {
     let slope = normal.inner(ray.direction);
     (slope != 0.0).then(|| normal.inner(point - ray.start) / slope)
 }
 
 /// Answers the shares of a triangle's area that lie across from its three corners.
-fn shares([a, b, c]: [Vector; 3], point: Vector) -> [f64; 3] {
+pub(super) fn shares([a, b, c]: [Vector; 3], point: Vector) -> [f64; 3] {
     let normal = (b - a).outer(c - a);
     let across = |p: Vector, q: Vector| (q - p).outer(point - p).inner(normal) / normal.inner(normal);
     [across(b, c), across(c, a), across(a, b)]
@@ -80,6 +81,13 @@ impl Shape {
                 let face = |part: u8| face_root(ray, [low, high], part).map(|t| Root { t, part });
                 (0..6).filter_map(face).collect()
             }
+            Self::Polygon { ref vertices, normal, odd_even } => {
+                let root = plane_root(ray, vertices[0], normal);
+                let held = |t: &f64| surrounds(vertices, normal, odd_even, ray.point(*t));
+                root.filter(held).map(whole).into_iter().collect()
+            }
+            Self::Cone(cone) => cone.roots(ray, None),
+            Self::Smooth(triangle) => triangle_root(ray, triangle.points).map(whole).into_iter().collect(),
         }
     }
 
@@ -94,12 +102,15 @@ impl Shape {
                 roots.sort_by(|a, b| b.t.abs().total_cmp(&a.t.abs()));
                 roots.truncate(1);
             }
-            Self::Plane { .. } | Self::Triangle { .. } => roots.clear(),
+            Self::Plane { .. } | Self::Triangle { .. } | Self::Polygon { .. } => roots.clear(),
             Self::Cuboid { low, high } => {
                 let axis = usize::from(part / 2);
                 let flat = low.0[axis] == high.0[axis];
                 roots.retain(|root| root.part != part && !(flat && root.part / 2 == part / 2));
             }
+            Self::Cone(cone) => roots = cone.roots(ray, Some(part)),
+            // Its light starts beside it.
+            Self::Smooth(_) => (),
         }
         roots
     }
@@ -118,19 +129,33 @@ impl Shape {
     pub fn normal(&self, point: Vector, part: u8) -> Vector {
         match *self {
             Self::Sphere { center, .. } => (point - center).unit(),
-            Self::Plane { normal, .. } => normal.unit(),
+            Self::Plane { normal, .. } | Self::Polygon { normal, .. } => normal.unit(),
             Self::Triangle { corners: [a, b, c] } => (b - a).outer(c - a).unit(),
             Self::Cuboid { .. } => {
                 Vector::by_axis(|axis| if axis == usize::from(part / 2) { 1.0 } else { 0.0 })
             }
+            Self::Cone(cone) => cone.normal(point, part),
+            Self::Smooth(triangle) => triangle.flat_normal(),
         }
+    }
+
+    /// Answers where the light is that a ray finds at a point, and the unit normal there on the viewer's
+    /// side.
+    pub fn lit(&self, ray: &Ray, point: Vector, part: u8) -> (Vector, Vector) {
+        if let Self::Smooth(triangle) = self {
+            return triangle.lit(ray, point);
+        }
+        let normal = self.normal(point, part);
+        (point, if normal.inner(ray.direction) > 0.0 { -normal } else { normal })
     }
 
     /// Answers the texture coordinates of a point of a part.
     pub fn texture_coordinates(&self, point: Vector, part: u8) -> [f64; 2] {
         match *self {
             Self::Sphere { .. } => [0.0, 0.0],
-            Self::Plane { normal, .. } => leave_out(largest_axis(normal), point),
+            Self::Plane { normal, .. } | Self::Polygon { normal, .. } => {
+                leave_out(largest_axis(normal), point)
+            }
             Self::Triangle { corners } => {
                 let [_, u, v] = shares(corners, point);
                 [u, v]
@@ -139,6 +164,8 @@ impl Shape {
                 let share = |axis| (point.0[axis] - low.0[axis]) / (high.0[axis] - low.0[axis]);
                 leave_out(usize::from(part / 2), Vector::by_axis(share))
             }
+            Self::Cone(cone) => cone.texture_coordinates(point),
+            Self::Smooth(triangle) => triangle.texture_coordinates(point),
         }
     }
 }

@@ -1,0 +1,42 @@
+use crate::math::{Scalar, Wide};
+
+/// Is a line in the plane of (x, w), where the side of a cone is the hyperbola w^2 - x^2 = beside^2.
+pub(super) struct Hyperbola<S> {
+    /// A point of the line.
+    pub at: [S; 2],
+    /// Its direction, of unit length.
+    pub toward: [S; 2],
+    /// How far from the middle the hyperbola begins.
+    pub beside: S,
+}
+
+impl<S: Scalar> Hyperbola<S> {
+    /// Answers between which distances the line is above the upper branch; it may be above the lower
+    /// one instead, of which nothing lies between the ends of a cone.
+    pub fn inside(&self) -> Option<[S; 2]> {
+        let ([x, w], [to_x, to_w], one) = (self.at, self.toward, S::ONE);
+        // a t^2 + 2 b t + c = 0. The discriminant b^2 - a c, but without the products of four
+        // lengths, and without a difference where the line is flat, as of a cylinder.
+        let a = to_x.mul_wide(to_x) - to_w.mul_wide(to_w);
+        let b = S::determinant([to_x, to_w], [w, x]);
+        let c = x.mul_wide(x) + self.beside.mul_wide(self.beside) - w.mul_wide(w);
+        let (reach, off) = (S::determinant([to_x, to_w], [x, w]), S::sqrt(a.abs()) * self.beside);
+        let square = off.mul_wide(off);
+        let rest = reach.mul_wide(reach) + if a < S::Wide::ZERO { square } else { -square };
+        if rest < S::Wide::ZERO {
+            return None;
+        }
+        let root = S::sqrt(rest);
+        // The sum that does not cancel, and the other root by the product of both.
+        let sum = if b > S::ZERO { -b - root } else { root - b };
+        let (first, second) = (S::div(sum.mul_wide(one), a), S::div(c, sum.mul_wide(one)));
+        let (low, high) = (first.min(second), first.max(second));
+        Some(if a >= S::Wide::ZERO {
+            [low, high]
+        } else if to_w > S::ZERO {
+            [high, S::FAR]
+        } else {
+            [S::FAR_BACK, low]
+        })
+    }
+}
