@@ -40,7 +40,7 @@ pub struct Description {
 
 /// Holds the lists of a scene in a number, for the scene to borrow.
 #[derive(Clone, Debug)]
-pub struct Lists<S> {
+pub struct Lists<S: 'static> {
     objects: Vec<Object<S>>,
     materials: Vec<scanray::Material<S>>,
     lights: Vec<scanray::Light<S>>,
