@@ -22,6 +22,7 @@ pub fn names(materials: &[Material]) -> Vec<String> {
 fn look(material: &Material) -> &'static str {
     match (&material.texture, material.color) {
         (Some(Texture::Checker { .. }), _) => "board",
+        (Some(Texture::Vertices { .. }), _) => "mixed",
         _ if material.mirror.is_some_and(|weight| weight >= MIRROR) => "mirror",
         (None, Some(color)) => hue(color.0),
         (None, None) => "plain",
