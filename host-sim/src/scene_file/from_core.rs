@@ -76,7 +76,7 @@ pub fn describe(view: &View<f64>) -> Result<Description, Unsayable> {
         materials: names(&materials).into_iter().zip(materials).collect(),
         lights: each(scene.lights, Unsayable::Light, |light| say(Light::of(light), Light::in_number, light))?,
         objects: each(scene.objects, Unsayable::Object, |object| {
-            Some((say(Some(Shape::of(&object.shape)), Shape::in_number, &object.shape)?, object.material))
+            Some((say(Shape::of(&object.shape), Shape::in_number, &object.shape)?, object.material))
         })?,
     })
 }

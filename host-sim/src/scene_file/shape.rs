@@ -153,9 +153,9 @@ impl Shape {
         }
     }
 
-    /// Takes a shape of the core.
-    pub fn of(shape: &scanray::Shape<f64>) -> Self {
-        match shape {
+    /// Takes a shape of the core; `None` for one that scene files do not know.
+    pub fn of(shape: &scanray::Shape<f64>) -> Option<Self> {
+        Some(match shape {
             scanray::Shape::Sphere(s) => Self::Sphere { center: s.center.to_array(), radius: s.radius },
             scanray::Shape::Plane(s) => {
                 Self::Plane { point: s.point.to_array(), normal: s.normal.to_array() }
@@ -181,6 +181,6 @@ impl Shape {
                 Self::SmoothTriangle { a, b, c }
             }
             scanray::Shape::Custom(none) => match *none {},
-        }
+        })
     }
 }
