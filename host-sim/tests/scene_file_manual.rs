@@ -81,6 +81,8 @@ fn every_word_of_the_format_is_in_the_manual() {
         "settings: (unknown: 1)",
         "materials: { \"a\": (unknown: 1) }",
         "objects: [(unknown: 1)]",
+        "objects: [(shape: SmoothTriangle(a: (unknown: 1)))]",
+        "objects: [(shape: Polygon(vertices: [], normal: (0, 0, 1), rule: Unknown))]",
         "settings: (transfer: Unknown)",
         "settings: (dither: Unknown)",
         "materials: { \"a\": (model: Unknown) }",

@@ -4,7 +4,7 @@
 
 use super::value::Color;
 use crate::scenes::HostNumber;
-use scanray::Checker;
+use scanray::{Checker, Vertices};
 use serde::{Deserialize, Serialize};
 
 /// Is what colours a surface has from place to place; its fields are those of the core's texture of the
@@ -21,6 +21,15 @@ pub enum Texture {
         /// Tiles to a unit of the texture coordinates.
         per_unit: f64,
     },
+    /// Colours of a triangle's corners, mixed between them.
+    Vertices {
+        /// Colour of the first corner.
+        a: Color,
+        /// Colour of the second corner.
+        b: Color,
+        /// Colour of the third corner.
+        c: Color,
+    },
 }
 
 impl Texture {
@@ -29,6 +38,9 @@ impl Texture {
         match *self {
             Self::Checker { even, odd, per_unit } => {
                 scanray::Texture::Checker(Checker::new(even.in_number(), odd.in_number(), S::round(per_unit)))
+            }
+            Self::Vertices { a, b, c } => {
+                scanray::Texture::Vertices(Vertices::new(a.in_number(), b.in_number(), c.in_number()))
             }
         }
     }
@@ -41,6 +53,10 @@ impl Texture {
                 odd: Color::of(board.odd),
                 per_unit: board.per_unit,
             },
+            scanray::Texture::Vertices(mixed) => {
+                let [a, b, c] = mixed.colors.map(Color::of);
+                Self::Vertices { a, b, c }
+            }
             _ => return None,
         })
     }
