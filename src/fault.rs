@@ -23,6 +23,8 @@ pub enum Fault {
     NoSuchMaterial(u16),
     /// There are more objects than an index can name, 65535.
     TooMany,
+    /// The z-buffer does not know the shape; the tracer does.
+    NotRasterized,
 }
 
 impl fmt::Display for Fault {
@@ -38,6 +40,7 @@ impl fmt::Display for Fault {
             Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
             Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
             Self::TooMany => f.write_str("there are more than 65535 of them"),
+            Self::NotRasterized => f.write_str("the z-buffer has no way to draw such a shape"),
         }
     }
 }
