@@ -71,6 +71,7 @@ mod playdate;
 mod simple;
 mod three_spheres;
 mod tinyraytracer;
+mod z_buffer;
 
 /// Is a scene with the camera and settings that show it best.
 #[derive(Clone, Copy, Debug)]
@@ -113,9 +114,10 @@ macro_rules! gallery_of {
             pub use super::simple::$module::VIEW as SIMPLE;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
+            pub use super::z_buffer::$module::VIEW as Z_BUFFER;
 
             /// Lists the gallery; a constant that takes one of it links that scene alone.
-            pub static VIEWS: [super::View<$number>; 9] = [
+            pub static VIEWS: [super::View<$number>; 10] = [
                 SIMPLE,
                 FIRST_LIGHT,
                 MIRROR_LEVELS,
@@ -125,6 +127,7 @@ macro_rules! gallery_of {
                 C_RAY,
                 BUSINESS_CARD,
                 PLAYDATE,
+                Z_BUFFER,
             ];
         }
 

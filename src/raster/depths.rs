@@ -45,12 +45,7 @@ pub(super) struct Painter<'r, S, O> {
 
 impl<S: Scalar, O: Observer> Painter<'_, S, O> {
     /// Puts a part of the object into some columns; `from` answers its nearness from a column on.
-    pub fn paint<I: Iterator<Item = S>>(
-        &mut self,
-        columns: Range<u32>,
-        part: u16,
-        from: impl Fn(u32) -> I,
-    ) {
+    pub fn paint<I: Iterator<Item = S>>(&mut self, columns: Range<u32>, part: u16, from: impl Fn(u32) -> I) {
         if columns.is_empty() {
             return;
         }

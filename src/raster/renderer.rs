@@ -99,9 +99,9 @@ impl<'a, 'w, S: Scalar, const WIDTH: usize, X: Intersect<S>> RasterRenderer<'a, 
     ) -> impl Iterator<Item = P> + 'r {
         let Settings { transfer, dither, .. } = self.settings;
         let thresholds = dither.thresholds(y).iter().cycle();
-        self.light(y, slice, observer)
-            .zip(thresholds)
-            .map(move |(light, threshold)| P::from_light(light, Quantizer::of_threshold(transfer, *threshold)))
+        self.light(y, slice, observer).zip(thresholds).map(move |(light, threshold)| {
+            P::from_light(light, Quantizer::of_threshold(transfer, *threshold))
+        })
     }
 
     /// Answers the plane of row `y`.
