@@ -113,7 +113,7 @@ fn lights<S: Number>() -> [Light<S>; 1] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8000))]
+    #![proptest_config(ProptestConfig::with_cases(400))]
 
     #[test]
     fn each_pixel_sees_what_its_ray_meets(

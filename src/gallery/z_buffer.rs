@@ -5,14 +5,14 @@ super::in_every_number! {
     static OBJECTS: [Object<S>; 9] = [
         Object::new(Shape::Plane(Plane::new(Vec3::ZERO, v(0.0, 1.0, 0.0))), 0),
         // Seen from (1, 1, 1) each beam passes before the next one, and the last before the first.
-        Object::new(Shape::Cuboid(Cuboid::new(v(-1.6, 0.9, 0.4), v(1.6, 1.5, 1.0))), 1),
-        Object::new(Shape::Cuboid(Cuboid::new(v(0.4, 0.0, -1.0), v(1.0, 3.5, -0.4))), 2),
-        Object::new(Shape::Cuboid(Cuboid::new(v(-1.0, 2.3, -1.6), v(-0.4, 2.9, 1.6))), 3),
-        Object::new(Shape::Cuboid(Cuboid::new(v(2.0, 0.0, -1.6), v(3.8, 0.3, 0.2))), 4),
-        Object::new(Shape::Sphere(Sphere::new(v(2.9, 0.55, -0.7), n(0.7))), 5),
-        Object::new(Shape::Triangle(Triangle::new(v(-1.6, 0.0, 3.0), v(0.2, 0.0, 3.0), v(-0.7, 2.0, 3.0))), 6),
-        Object::new(Shape::Triangle(Triangle::new(v(-1.15, 0.0, 2.22), v(-0.25, 0.0, 3.78), v(-0.7, 2.0, 3.0))), 7),
-        Object::new(Shape::Triangle(Triangle::new(v(-1.15, 0.0, 3.78), v(-0.25, 0.0, 2.22), v(-0.7, 2.0, 3.0))), 6),
+        Object::new(Shape::Cuboid(Cuboid::new(v(-2.3, 1.1, 0.2), v(1.9, 1.7, 0.8))), 1),
+        Object::new(Shape::Cuboid(Cuboid::new(v(0.2, 0.0, -0.8), v(0.8, 3.8, -0.2))), 2),
+        Object::new(Shape::Cuboid(Cuboid::new(v(-0.8, 2.1, -1.9), v(-0.2, 2.7, 2.3))), 3),
+        Object::new(Shape::Cuboid(Cuboid::new(v(2.2, 0.0, -1.7), v(4.0, 0.3, 0.1))), 4),
+        Object::new(Shape::Sphere(Sphere::new(v(3.1, 0.55, -0.8), n(0.7))), 5),
+        Object::new(Shape::Triangle(Triangle::new(v(-0.7, 0.0, 3.4), v(1.1, 0.0, 3.4), v(0.2, 2.0, 3.4))), 6),
+        Object::new(Shape::Triangle(Triangle::new(v(-0.25, 0.0, 2.62), v(0.65, 0.0, 4.18), v(0.2, 2.0, 3.4))), 7),
+        Object::new(Shape::Triangle(Triangle::new(v(-0.25, 0.0, 4.18), v(0.65, 0.0, 2.62), v(0.2, 2.0, 3.4))), 6),
     ];
     static MATERIALS: [Material<S>; 8] = [
         Material::textured(Texture::Checker(Checker::new(rgb(0.6, 0.58, 0.54), rgb(0.48, 0.46, 0.43), n(0.5)))),
@@ -36,7 +36,7 @@ super::in_every_number! {
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.22))
             .with_sky(Sky::Solid(rgb(0.5, 0.6, 0.7))),
-        camera: Camera::perspective(v(7.2, 6.2, 7.2), v(0.45, 1.2, 0.45), v(0.0, 1.0, 0.0), n(30.0)),
+        camera: Camera::perspective(v(7.4, 7.4, 7.4), v(0.5, 1.2, 0.5), v(0.0, 1.0, 0.0), n(28.0)),
         settings: Settings::new(),
         size: [320, 240],
     };

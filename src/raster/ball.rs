@@ -98,8 +98,7 @@ impl<S: Scalar> Disc<S> {
             slopes.from(x).zip(middle.from(x)).map(move |(slope, b)| {
                 let vector = Vec3::new(b, slope, S::ONE);
                 let nearness = scale * (S::sqrt(vector.dot_wide(vector)) - b);
-                // There is no other root ahead of the near plane.
-                if nearness < nearest { nearness } else { S::FAR_BACK }
+                hidden_from(nearest, nearness)
             })
         });
     }
@@ -115,13 +114,13 @@ impl<S: Scalar> Conic<S> {
                 let half = S::sqrt(left.mul_wide(right));
                 let front = scale * (middle + half);
                 // Where the near plane cuts the ball open its far side is seen from within.
-                if front < nearest { front } else { behind(scale * (middle - half), nearest) }
+                if front < nearest { front } else { hidden_from(nearest, scale * (middle - half)) }
             })
         });
     }
 }
 
-/// Hides what the near plane hides.
-fn behind<S: Scalar>(nearness: S, nearest: S) -> S {
+/// Answers a nearness, or where the near plane hides it one that no pixel keeps.
+fn hidden_from<S: Scalar>(nearest: S, nearness: S) -> S {
     if nearness < nearest { nearness } else { S::FAR_BACK }
 }

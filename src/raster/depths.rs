@@ -36,6 +36,15 @@ impl<S: Scalar> Fragment<S> {
     }
 }
 
+/// Answers a number and what comes after it in even steps, without end.
+pub(super) fn stepped<S: Scalar>(mut at: S, step: S) -> impl Iterator<Item = S> {
+    core::iter::repeat_with(move || {
+        let here = at;
+        at = at + step;
+        here
+    })
+}
+
 /// Puts one object into a row of depths.
 pub(super) struct Painter<'r, S, O> {
     pub row: &'r mut [Fragment<S>],

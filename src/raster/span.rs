@@ -1,7 +1,7 @@
 //! What the plane of a row cuts out of a flat convex face: a span of columns along which nearness grows
 //! evenly.
 
-use super::depths::Painter;
+use super::depths::{Painter, stepped};
 use super::slice::Slice;
 use crate::math::Scalar;
 use crate::trace::Observer;
@@ -41,12 +41,8 @@ impl<S: Scalar, const N: usize> Span<S, N> {
         let slopes = slice.ramp(Slice::SLOPE);
         painter.paint(columns, part, |x| {
             let along = slopes.from(x).next().unwrap_or(self.left.slope) - self.left.slope;
-            let mut at = self.left.nearness + S::div(rise.mul_wide(along), run.mul_wide(S::ONE));
-            core::iter::repeat_with(move || {
-                let nearness = at;
-                at = at + step;
-                nearness
-            })
+            let risen = S::div(rise.mul_wide(along), run.mul_wide(S::ONE));
+            stepped(self.left.nearness + risen, step)
         });
     }
 }
