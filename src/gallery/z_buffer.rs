@@ -36,7 +36,7 @@ super::in_every_number! {
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.22))
             .with_sky(Sky::Solid(rgb(0.5, 0.6, 0.7))),
-        camera: Camera::perspective(v(7.4, 7.4, 7.4), v(0.5, 1.2, 0.5), v(0.0, 1.0, 0.0), n(28.0)),
+        camera: Camera::perspective(v(7.4, 7.4, 7.4), v(0.7, 1.2, 0.5), v(0.0, 1.0, 0.0), n(31.0)),
         settings: Settings::new(),
         size: [320, 240],
     };
