@@ -33,6 +33,8 @@ pub enum Fault {
     NoSuchMaterial(u16),
     /// There are more objects than an index can name, 65535.
     TooMany,
+    /// The z-buffer does not know the shape; the tracer does.
+    NotRasterized,
 }
 
 impl fmt::Display for Fault {
@@ -55,6 +57,7 @@ impl fmt::Display for Fault {
             Self::NormalInward => f.write_str("the normal of a corner does not point to its outward side"),
             Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
             Self::TooMany => f.write_str("there are more than 65535 of them"),
+            Self::NotRasterized => f.write_str("the z-buffer has no way to draw such a shape"),
         }
     }
 }

@@ -45,6 +45,7 @@
 //! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
 //! - [`output`]: from linear light to the panel's bits.
 //! - [`render`]: [`Renderer`] and [`Workspace`].
+//! - [`raster`]: the other approach, a z-buffer: [`RasterRenderer`] and [`RasterWorkspace`].
 //! - [`gallery`]: scenes ready to draw, in every number.
 //!
 //! The numbers are types, not features: no flag changes a picture.
@@ -82,6 +83,8 @@ pub mod output;
 
 pub mod render;
 
+pub mod raster;
+
 pub mod gallery;
 
 pub use camera::{Camera, CameraError, Projection};
@@ -93,6 +96,7 @@ pub use light::Light;
 pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
+pub use raster::{RasterRenderer, RasterWorkspace};
 pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{

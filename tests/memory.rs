@@ -1,7 +1,7 @@
 //! What rendering takes of RAM.
 
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
-use scanray::{Fixed, Workspace};
+use scanray::{Fixed, RasterWorkspace, Workspace};
 
 /// Is the formula of the documentation.
 const fn formula(width: usize, color: usize, depth: usize) -> usize {
@@ -26,4 +26,10 @@ fn a_workspace_takes_what_its_formula_says_and_hardly_less() {
 fn tracing_takes_less_than_two_kilobytes_beside_the_row() {
     assert!(size_of::<Workspace<f32, Rgb565, 320, 5>>() < 2048 + 640);
     assert!(size_of::<Workspace<Fixed, Rgb565, 320, 5>>() < 2048 + 640);
+}
+
+#[test]
+fn a_row_of_depths_takes_eight_bytes_a_pixel_and_nothing_else() {
+    assert_eq!(size_of::<RasterWorkspace<f32, 320>>(), 320 * 8);
+    assert_eq!(size_of::<RasterWorkspace<Fixed, 320>>(), 320 * 8);
 }

@@ -155,7 +155,7 @@ mod checks {
             let scene: Scene<'_, S> = Scene::new(&objects, &materials, &lights);
             let (mut packet, rays) = (Packet::new(), std::iter::once((ray, Interval::AHEAD)));
             let light =
-                Tracer::new(&scene, 0).radiance(&mut packet, rays, Candidates::all(&scene), &mut ())[0];
+                Tracer::new(&scene, &mut []).radiance(&mut packet, rays, Candidates::all(&scene), &mut ())[0];
             assert_eq!(light, Rgb::BLACK, "ray {i}");
         }
         assert!(facing > 50, "{facing}");

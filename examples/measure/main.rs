@@ -2,7 +2,7 @@
 //! tabulates it.
 //!
 //! Scene and mode are chosen when it is built, by the environment variables `SCANRAY_SCENE` and `SCANRAY_MODE`
-//! (`exact` or `adaptive`), so that the image holds these alone. With a floating-point unit the number is
+//! (`exact`, `adaptive` or `raster`), so that the image holds these alone. With a floating-point unit the number is
 //! `f32`, without one it is fixed point.
 //!
 //! There is no panel: rows go into a buffer, as for a display that is fed by DMA. Everything is said by

@@ -9,6 +9,7 @@ pub mod panel;
 pub mod picture;
 pub mod png;
 pub mod race;
+pub mod raster;
 pub mod reference;
 pub mod scene_file;
 pub mod scenes;

@@ -3,6 +3,7 @@
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
 use crate::picture;
+use crate::raster;
 use crate::reference::Unknown;
 use crate::scenes::{Entry, HostNumber, camera_in};
 use crate::turn::Turn;
@@ -49,6 +50,15 @@ pub enum Quality {
     Adaptive,
 }
 
+/// Names who draws a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Approach {
+    /// The ray tracer.
+    Trace,
+    /// The z-buffer.
+    Raster,
+}
+
 /// Is all that decides a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
@@ -70,6 +80,8 @@ pub struct Shot {
     pub transfer: Transfer,
     /// How much of it is traced.
     pub quality: Quality,
+    /// Who draws it; there is one reference for both.
+    pub approach: Approach,
 }
 
 /// Is a picture as a panel shows it.
@@ -88,6 +100,8 @@ pub struct Taken {
     pub picture: Picture,
     /// Rays by kind; none are counted for the reference.
     pub rays: Option<RayCounts>,
+    /// Depths that the z-buffer has tested, if it drew the picture.
+    pub fragments: Option<u64>,
     /// How long the tracing took.
     pub time: Duration,
 }
@@ -106,6 +120,7 @@ impl Shot {
             depth: view.settings.depth,
             transfer: view.settings.transfer,
             quality: Quality::Exact,
+            approach: Approach::Trace,
         }
     }
 
@@ -150,6 +165,9 @@ impl Shot {
 
     fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
         let view = self.view::<S>();
+        if self.approach == Approach::Raster {
+            return self.rasterize(&view, row_done);
+        }
         let begin = Instant::now();
         let drawn = match self.quality {
             Quality::Exact => picture::draw(&view, view.settings, self.size, self.panel, row_done),
@@ -160,7 +178,15 @@ impl Shot {
         }?;
         let time = begin.elapsed();
         let picture = Picture { size: self.size, pixels: drawn.pixels };
-        Ok(Taken { picture, rays: Some(drawn.rays), time })
+        Ok(Taken { picture, rays: Some(drawn.rays), fragments: None, time })
+    }
+
+    fn rasterize<S: HostNumber>(&self, view: &View<S>, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
+        let begin = Instant::now();
+        let drawn = raster::draw(view, self.size, self.panel, row_done)?;
+        let time = begin.elapsed();
+        let picture = Picture { size: self.size, pixels: drawn.pixels };
+        Ok(Taken { picture, rays: None, fragments: Some(drawn.fragments), time })
     }
 
     fn take_reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
@@ -168,7 +194,7 @@ impl Shot {
         let reference = self.reference(row_done)?;
         let time = begin.elapsed();
         let pixels = reference.on_panel(self.panel);
-        Ok(Taken { picture: Picture { size: self.size, pixels }, rays: None, time })
+        Ok(Taken { picture: Picture { size: self.size, pixels }, rays: None, fragments: None, time })
     }
 }
 

@@ -11,18 +11,18 @@ use core::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fan<S: Scalar> {
     /// Where the rays start; of parallel ones, a point among their starts.
-    pub(super) apex: Vec3<S>,
+    pub(crate) apex: Vec3<S>,
     /// Unit vector in which columns lie side by side.
-    pub(super) along: Vec3<S>,
+    pub(crate) along: Vec3<S>,
     /// Unit vector across it, toward the scene.
-    pub(super) toward: Vec3<S>,
+    pub(crate) toward: Vec3<S>,
     /// Unit vector across the fan.
     pub(super) across: Vec3<S>,
-    pub(super) parallel: bool,
+    pub(crate) parallel: bool,
     /// Slope at the left edge of the picture, and from there to the right edge.
-    pub(super) start: S,
-    pub(super) extent: S,
-    pub(super) count: i32,
+    pub(crate) start: S,
+    pub(crate) extent: S,
+    pub(crate) count: i32,
 }
 
 /// Is a closed interval of slopes; an end of magnitude [`Scalar::FAR`] is no end.

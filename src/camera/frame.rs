@@ -41,8 +41,8 @@ pub struct Frame<S: Scalar> {
     pub eye: Vec3<S>,
     /// Line of sight, unit length.
     pub forward: Vec3<S>,
-    pub(super) near: S,
-    pub(super) far: S,
+    pub(crate) near: S,
+    pub(crate) far: S,
     pub(super) parallel: bool,
     /// Whether near or far hide anything.
     pub(super) clipped: bool,

@@ -25,6 +25,8 @@ pub struct RowRay<S = f32> {
     pub ray: Ray<S>,
     /// From the near to the far plane along it.
     pub interval: Interval<S>,
+    /// How far along the ray a depth of 1 is; 1 for parallel rays.
+    pub length: S,
 }
 
 impl<'f, S: Scalar> Row<'f, S> {
@@ -63,13 +65,13 @@ impl<'f, S: Scalar> Row<'f, S> {
         let offset = self.at.narrow();
         if frame.parallel {
             let ray = Ray::new(frame.eye + offset, frame.forward);
-            return RowRay { ray, interval: Interval::new(near, far) };
+            return RowRay { ray, interval: Interval::new(near, far), length: S::ONE };
         }
         // The window stands at depth 1: the length of the offset turns depths into distances.
         let (direction, length) = offset.normalize().unwrap_or((frame.forward, S::ONE));
         let interval =
             if frame.clipped { Interval::new(near * length, far * length) } else { Interval::AHEAD };
-        RowRay { ray: Ray::new(frame.eye, direction), interval }
+        RowRay { ray: Ray::new(frame.eye, direction), interval, length }
     }
 }
 

@@ -12,7 +12,7 @@ use crate::math::{Scalar, Vec3};
 
 /// Is a point seen from the fan: how far along the row, how far toward the scene, how far off the
 /// plane of the fan.
-type Place<S> = [S; 3];
+pub(crate) type Place<S> = [S; 3];
 
 impl<S: Scalar> Fan<S> {
     const ALL: Slopes<S> = [S::FAR_BACK, S::FAR];
@@ -46,7 +46,8 @@ impl<S: Scalar> Fan<S> {
         }
     }
 
-    fn place(&self, point: Vec3<S>) -> Place<S> {
+    /// Answers where a point lies: along the row, toward the scene, off the plane of the fan.
+    pub(crate) fn place(&self, point: Vec3<S>) -> Place<S> {
         self.turn(point - self.apex)
     }
 
@@ -101,7 +102,8 @@ impl<S: Scalar> Fan<S> {
         }
     }
 
-    fn box_corners(&self, bounds: &Aabb<S>) -> [Place<S>; 8] {
+    /// Answers the corners of a box, named by bits: a bit an axis, set where it is the high one.
+    pub(crate) fn box_corners(&self, bounds: &Aabb<S>) -> [Place<S>; 8] {
         let center = self.place(bounds.center);
         let [x, y, z] = bounds.half.to_array();
         let halves = [

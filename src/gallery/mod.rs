@@ -75,6 +75,7 @@ mod stars;
 mod still_life;
 mod three_spheres;
 mod tinyraytracer;
+mod z_buffer;
 
 /// Is a scene with the camera and settings that show it best.
 #[derive(Clone, Copy, Debug)]
@@ -121,6 +122,7 @@ macro_rules! gallery_of {
             pub use super::still_life::$module::VIEW as STILL_LIFE;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
+            pub use super::z_buffer::$module::VIEW as Z_BUFFER;
 
             /// Lists the gallery; a constant that takes one of it links that scene alone.
             pub static VIEWS: &[super::View<$number>] = &[
@@ -137,6 +139,7 @@ macro_rules! gallery_of {
                 STARS,
                 STILL_LIFE,
                 SMOOTH,
+                Z_BUFFER,
             ];
         }
 

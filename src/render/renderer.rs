@@ -50,9 +50,7 @@ where
         if usize::from(settings.depth) > DEPTH {
             return Err(RenderError::TooDeep { depth: settings.depth, room: DEPTH });
         }
-        if !(settings.exposure >= S::ZERO && settings.exposure.in_range()) {
-            return Err(RenderError::Exposure);
-        }
+        settings.check_exposure()?;
         let frame = camera.frame(size.width, size.height)?;
         workspace.scratch.spans.enter_picture(scene, &frame);
         workspace.scratch.vicinities.clear();

@@ -1,3 +1,4 @@
+use super::RenderError;
 use crate::math::Scalar;
 use crate::output::{Dither, Transfer};
 
@@ -86,6 +87,12 @@ impl<S: Scalar, Q: Quality> Settings<S, Q> {
     pub const fn with_quality<R: Quality>(self, quality: R) -> Settings<S, R> {
         let Self { depth, exposure, transfer, dither, .. } = self;
         Settings { depth, exposure, transfer, dither, quality }
+    }
+
+    /// Accepts an exposure that light can be multiplied by.
+    pub(crate) fn check_exposure(&self) -> Result<(), RenderError> {
+        let usable = self.exposure >= S::ZERO && self.exposure.in_range();
+        if usable { Ok(()) } else { Err(RenderError::Exposure) }
     }
 
     /// Sets the rounding.

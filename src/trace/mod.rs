@@ -1,6 +1,7 @@
 //! Tracing: what a ray meets, how the surface is lit, where the light goes on.
 
 mod departure;
+mod direct;
 mod lane;
 mod observer;
 mod shade;
@@ -10,6 +11,7 @@ mod tree;
 mod vicinity;
 mod visibility;
 
+pub(crate) use direct::direct_light;
 pub use lane::LANES;
 pub use observer::{Observer, RayCounts, RayKind};
 pub use tracer::{Packet, Tracer};

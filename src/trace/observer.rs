@@ -1,3 +1,5 @@
+use core::ops::Range;
+
 /// Names what a ray is sent for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -27,6 +29,9 @@ pub trait Observer {
 
     /// Is told that the place met last is lit by a light: it faces it, and nothing stands between.
     fn lit(&mut self, _lane: u8, _light: u16) {}
+
+    /// Is told that the z-buffer tests an object's depths in some columns of a row.
+    fn span(&mut self, _object: u16, _columns: &Range<u32>) {}
 }
 
 impl Observer for () {

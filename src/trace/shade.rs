@@ -45,20 +45,10 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
     /// `Ia kd + sum of fs l kd (n.L) + fs l ks (r.v)^n`.
     #[inline(always)]
     pub fn direct(&mut self, site: &Site<'_, S>, observer: &mut impl Observer) -> Rgb<S> {
-        let color = site.material.texture.color(&site.surface);
-        if site.material.model == Model::Flat {
-            return color;
-        }
-        let mut sum = site.ambient * color;
-        for (number, light) in (0..).zip(self.scene.lights) {
-            let Some((direction, distance)) = facing(light, &site.surface) else { continue };
-            let cosine = brdf::lambert(site.surface.normal, direction);
-            if cosine > S::ZERO && !self.shadowed(site, number, direction, distance, observer) {
-                observer.lit(site.lane, number);
-                sum += light.color() * (color * cosine + highlight(site, direction, cosine));
-            }
-        }
-        sum
+        let scene = self.scene;
+        reflected(scene, site, observer, |number, direction, distance, observer| {
+            self.shadowed(site, number, direction, distance, observer)
+        })
     }
 
     /// Tells whether anything stands between the surface and a light.
@@ -84,6 +74,40 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
         let vicinity = vicinities.of(self.scene, number, point, site.distance);
         !vicinity.is_open(site.from) && query().is_blocked_near(self.scene, vicinity)
     }
+}
+
+/// Answers the light that a surface sends to the viewer where nothing stands between it and the lights.
+pub(super) fn unshadowed<S: Scalar, X>(
+    scene: &Scene<'_, S, X>,
+    site: &Site<'_, S>,
+    observer: &mut impl Observer,
+) -> Rgb<S> {
+    reflected(scene, site, observer, |_, _, _, _| false)
+}
+
+/// Sums ambient light and that of each light which `shadowed`, asked by its number, direction and
+/// distance, does not keep off.
+#[inline(always)]
+fn reflected<S: Scalar, X, O: Observer>(
+    scene: &Scene<'_, S, X>,
+    site: &Site<'_, S>,
+    observer: &mut O,
+    mut shadowed: impl FnMut(u16, Vec3<S>, S, &mut O) -> bool,
+) -> Rgb<S> {
+    let color = site.material.texture.color(&site.surface);
+    if site.material.model == Model::Flat {
+        return color;
+    }
+    let mut sum = site.ambient * color;
+    for (number, light) in (0..).zip(scene.lights) {
+        let Some((direction, distance)) = facing(light, &site.surface) else { continue };
+        let cosine = brdf::lambert(site.surface.normal, direction);
+        if cosine > S::ZERO && !shadowed(number, direction, distance, observer) {
+            observer.lit(site.lane, number);
+            sum += light.color() * (color * cosine + highlight(site, direction, cosine));
+        }
+    }
+    sum
 }
 
 /// Answers direction and distance of a light; `None` where the surface faces away from it, and for

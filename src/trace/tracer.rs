@@ -254,7 +254,7 @@ pub(super) struct Onward {
 }
 
 /// Answers a number of the part and the tile that a place belongs to.
-fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
+pub(super) fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
     material.texture.tile(surface) ^ u32::from(surface.part).rotate_right(3)
 }
 

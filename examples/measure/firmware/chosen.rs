@@ -47,8 +47,15 @@ impl Chosen for Is<true> {
 }
 
 const fn is_adaptive() -> bool {
-    assert!(same(MODE.as_bytes(), b"adaptive") || same(MODE.as_bytes(), b"exact"), "there is no such mode");
-    same(MODE.as_bytes(), b"adaptive")
+    assert!(RASTER || is_mode(b"adaptive") || is_mode(b"exact"), "there is no such mode");
+    is_mode(b"adaptive")
+}
+
+/// Tells whether the z-buffer draws, not the tracer.
+pub const RASTER: bool = is_mode(b"raster");
+
+const fn is_mode(name: &[u8]) -> bool {
+    same(MODE.as_bytes(), name)
 }
 
 /// Is the scene with its camera and settings.

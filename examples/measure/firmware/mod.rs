@@ -8,10 +8,10 @@ mod decimal;
 use core::{hint::black_box, panic::PanicInfo};
 
 use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
-use scanray::{Renderer, Workspace};
+use scanray::{RasterRenderer, RasterWorkspace, Renderer, RowError, Workspace};
 
 use self::{
-    chosen::{DEPTH, HEIGHT, MODE, Mode, Number, VIEW, WIDTH},
+    chosen::{DEPTH, HEIGHT, MODE, Mode, Number, RASTER, VIEW, WIDTH},
     decimal::Decimal,
 };
 
@@ -20,6 +20,9 @@ type Row = [[u8; 2]; WIDTH as usize];
 
 /// Is the workspace; rows go to a buffer of ours, so the workspace needs no room for one.
 type Space = Workspace<Number, Rgb565, 0, DEPTH>;
+
+/// Is the z-buffer's row of depths.
+type RasterSpace = RasterWorkspace<Number, { WIDTH as usize }>;
 
 /// Renders each `stride`th row; those of a stride that the host asks for stand for the whole picture.
 #[cortex_m_rt::entry]
@@ -42,14 +45,29 @@ fn fail(what: &str) -> ! {
 /// Renders each `stride`th row and hands it to `use_row`.
 #[inline(never)]
 fn render(stride: u32, use_row: &mut dyn FnMut(&Row)) -> Result<(), &'static str> {
-    let mut space = Space::new();
     let size = Size::new(WIDTH, HEIGHT);
+    // The mode is a constant: only one of the two is in the image.
+    if RASTER {
+        let mut space = RasterSpace::new();
+        let renderer = RasterRenderer::new(&VIEW.scene, &VIEW.camera, size, VIEW.settings, &mut space);
+        let mut renderer = renderer.map_err(|_| "the z-buffer refuses the scene")?;
+        return render_rows(stride, |y, row| renderer.render_row(y, row), use_row);
+    }
+    let mut space = Space::new();
     let settings = VIEW.settings.with_quality(Mode::default());
     let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, &mut space)
         .map_err(|_| "the renderer refuses the scene")?;
+    render_rows(stride, |y, row| renderer.render_row(y, row), use_row)
+}
+
+fn render_rows(
+    stride: u32,
+    mut render_row: impl FnMut(u32, &mut Row) -> Result<(), RowError>,
+    use_row: &mut dyn FnMut(&Row),
+) -> Result<(), &'static str> {
     let mut row = [[0; 2]; WIDTH as usize];
     for y in (0..HEIGHT).step_by(stride as usize) {
-        renderer.render_row(y, &mut row).map_err(|_| "the renderer refuses a row")?;
+        render_row(y, &mut row).map_err(|_| "the renderer refuses a row")?;
         use_row(&row);
     }
     Ok(())

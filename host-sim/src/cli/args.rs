@@ -3,7 +3,7 @@ use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::picture::{MAX_DEPTH, MAX_SIDE};
 use crate::scenes;
-use crate::shot::{Number, Quality, Shot};
+use crate::shot::{Approach, Number, Quality, Shot};
 use crate::turn::Turn;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scanray::Transfer;
@@ -40,6 +40,8 @@ pub(super) enum Command {
     Show(ShowArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
+    /// Draw a scene by the tracer and by the z-buffer side by side, and tell what each has done
+    Approaches(ApproachesArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
@@ -118,6 +120,28 @@ pub(super) struct CompareArgs {
     /// Directory for NAME-compare.png, pictures side by side over their differences
     /// [default: for a single scene the current one, for --all none]
     #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray approaches\n  \
+    scanray approaches simple --number fixed --size 128x128 -o both.png")]
+pub(super) struct ApproachesArgs {
+    /// Scene of the gallery, of spheres, planes, triangles and boxes
+    #[arg(value_name = "SCENE", default_value = "z-buffer")]
+    pub scene: String,
+    /// Number both compute in
+    #[arg(long, default_value = "f32", value_parser = judged)]
+    pub number: Number,
+    /// Columns and rows, such as 160x120 [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// Colour format of the display
+    #[arg(long, default_value = "rgb565")]
+    pub panel: Panel,
+    /// File for the two pictures [default: SCENE-approaches.png in the current directory]
+    #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
 }
 
@@ -217,6 +241,9 @@ pub(super) struct Look {
     /// How much of the picture is traced
     #[arg(long, default_value = "exact")]
     pub quality: Quality,
+    /// Who draws it: the ray tracer, or the z-buffer, which knows no quality and no depth
+    #[arg(long, default_value = "trace")]
+    pub approach: Approach,
     /// Step K of N of a turn around the point that the camera looks at
     #[arg(long, value_name = "K/N")]
     pub step: Option<Turn>,
@@ -233,6 +260,7 @@ impl Look {
         shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
         shot.quality = self.quality;
+        shot.approach = self.approach;
         Ok(shot)
     }
 }

@@ -1,6 +1,7 @@
 //! The command line: what it takes, what it prints, how it fails.
 
 mod adaptive;
+mod approaches;
 mod args;
 mod bench;
 mod compare;
@@ -64,6 +65,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
+        Command::Approaches(args) => approaches::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,

@@ -1,7 +1,7 @@
 use crate::compare::Figures;
 use crate::memory::Bill;
-use crate::shot::{Number, Shot, Taken};
-use scanray::{Fixed, Scalar, Transfer};
+use crate::shot::{Approach, Number, Shot, Taken};
+use scanray::{Fixed, RasterWorkspace, Scalar, Transfer};
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::time::Duration;
@@ -15,6 +15,10 @@ pub(super) fn line(out: &mut impl Write, about: &str, say: impl Display) -> io::
 pub(super) fn taken(out: &mut impl Write, shot: &Shot, taken: &Taken) -> io::Result<()> {
     writeln!(out, "{}: {}", shot.scene.name(), shot.scene.double.about)?;
     line(out, "picture", picture(shot))?;
+    if let Some(tested) = taken.fragments {
+        let time = milliseconds(taken.time);
+        line(out, "z-buffer", format!("{} depths tested, no rays, {time}", thousands(tested)))?;
+    }
     match &taken.rays {
         Some(rays) => {
             let kinds = [
@@ -28,6 +32,7 @@ pub(super) fn taken(out: &mut impl Write, shot: &Shot, taken: &Taken) -> io::Res
             line(out, "rays", told.join(", "))?;
             line(out, "time", pace(rays.total(), taken.time))?;
         }
+        None if taken.fragments.is_some() => {}
         None => line(out, "time", milliseconds(taken.time))?,
     }
     if shot.number == Number::Fixed {
@@ -64,6 +69,11 @@ fn picture(shot: &Shot) -> String {
 
 fn memory(shot: &Shot) -> String {
     let [columns, _] = shot.size;
+    if shot.approach == Approach::Raster && shot.number != Number::Oracle {
+        let place = size_of::<RasterWorkspace<f32, 1>>();
+        let total = columns as usize * place;
+        return format!("{total} bytes = {columns} columns x {place} for depths, on a device");
+    }
     let bill = match shot.number {
         Number::F32 => Bill::new::<f32>(columns, shot.panel, shot.depth),
         Number::Fixed => Bill::new::<Fixed>(columns, shot.panel, shot.depth),
@@ -72,7 +82,7 @@ fn memory(shot: &Shot) -> String {
     format!("{bill}, on a device")
 }
 
-fn milliseconds(time: Duration) -> String {
+pub(super) fn milliseconds(time: Duration) -> String {
     format!("{:.1} ms", time.as_secs_f64() * 1e3)
 }
 
@@ -83,7 +93,7 @@ fn pace(rays: u64, time: Duration) -> String {
 }
 
 /// Writes a number with its digits in threes.
-fn thousands(number: u64) -> String {
+pub(super) fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {

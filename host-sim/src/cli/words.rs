@@ -1,9 +1,23 @@
 //! The words of the command line for the choices that the rest of the crate knows.
 
 use crate::panel::Panel;
-use crate::shot::{Number, Quality};
+use crate::shot::{Approach, Number, Quality};
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
+
+impl ValueEnum for Approach {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Trace, Self::Raster]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Trace => PossibleValue::new("trace").help("Rays ask for each pixel what it sees"),
+            Self::Raster => PossibleValue::new("raster")
+                .help("A z-buffer asks for each object where it is seen; no shadows, no mirrors"),
+        })
+    }
+}
 
 impl ValueEnum for Quality {
     fn value_variants<'a>() -> &'a [Self] {
