@@ -23,7 +23,7 @@ pub(super) fn of_triangle<S: Scalar>(triangle: &Triangle<S>, eye: Vec3<S>) -> S 
     let Triangle { a, b, c } = *triangle;
     let unit = |edge: Vec3<S>| edge.normalize().map_or(Vec3::ZERO, |(unit, _)| unit);
     let plane = Plane::new(a, unit(b - a).cross(unit(c - a)));
-    of_plane(&plane, eye).max(outside(&Aabb::around([a, b, c]), eye))
+    of_plane(&plane, eye).max(outside(&Aabb::around(&[a, b, c]), eye))
 }
 
 /// Answers the distance of an eye from the faces of a box.
