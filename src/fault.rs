@@ -19,6 +19,8 @@ pub enum Fault {
     CornersSwapped,
     /// A normal or direction has no length, or an `up` not unit length.
     NoDirection,
+    /// An image has no texels, or more than 2048 to a side.
+    ImageSize,
     /// The object names a material that is not in the list.
     NoSuchMaterial(u16),
     /// There are more objects than an index can name, 65535.
@@ -36,6 +38,7 @@ impl fmt::Display for Fault {
             Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
             Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),
             Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
+            Self::ImageSize => f.write_str("its image is empty or more than 2048 texels wide or high"),
             Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
             Self::TooMany => f.write_str("there are more than 65535 of them"),
         }

@@ -85,7 +85,7 @@ pub mod gallery;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use color::Rgb;
-pub use environment::Sky;
+pub use environment::{Cube, Sky};
 pub use fault::Fault;
 pub use light::Light;
 pub use material::{Material, Model};
@@ -93,8 +93,10 @@ pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
 pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
-pub use shape::{Cuboid, Intersect, Plane, Shape, Sphere, Triangle};
-pub use texture::{Checker, Texture};
+pub use shape::{Cuboid, Displaced, Intersect, Plane, Shape, Sphere, Triangle};
+pub use texture::{
+    Bitmap, Bump, Checker, Filter, Image, Procedural, Relief, Rings, Stripes, Texels, Texture,
+};
 
 /// Runs the README's example as a test.
 #[cfg(doctest)]

@@ -4,17 +4,20 @@
 //! [`Intersect`], its tests.
 
 mod cuboid;
+mod displaced;
+mod march;
 mod plane;
 mod sphere;
 mod triangle;
 
 pub use cuboid::Cuboid;
+pub use displaced::Displaced;
 pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
@@ -36,6 +39,21 @@ pub trait Intersect<S: Scalar> {
 
     /// Works out the surface at a crossing that [`Intersect::intersect`] found for the same ray.
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S>;
+
+    /// Answers the texture coordinates of a surface that [`Intersect::surface`] worked out.
+    ///
+    /// Asked only where a texture or bumps want them: a shape whose coordinates take long to find
+    /// finds them here.
+    fn texture_coordinates(&self, surface: &Surface<S>) -> [S; 2] {
+        [surface.u, surface.v]
+    }
+
+    /// Answers the ways along which u and v grow over a surface; asked only where there are bumps.
+    ///
+    /// The default is that of coordinates which are those of the world, as on a [`Plane`].
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        plane::tangents(surface.normal)
+    }
 
     /// Tells whether the shape stands anywhere inside the interval: all that a shadow asks.
     ///
@@ -75,6 +93,8 @@ pub enum Shape<S = f32, X = Infallible> {
     Triangle(Triangle<S>),
     /// A box along the axes.
     Cuboid(Cuboid<S>),
+    /// A ball with a relief.
+    Displaced(Displaced<S>),
     /// The user's own shape.
     Custom(X),
 }
@@ -87,6 +107,7 @@ macro_rules! dispatch {
             $crate::shape::Shape::Plane($inner) => $call,
             $crate::shape::Shape::Triangle($inner) => $call,
             $crate::shape::Shape::Cuboid($inner) => $call,
+            $crate::shape::Shape::Displaced($inner) => $call,
             $crate::shape::Shape::Custom($inner) => $call,
         }
     };
@@ -105,6 +126,14 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
 
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
         dispatch!(self, shape => shape.surface(ray, crossing))
+    }
+
+    fn texture_coordinates(&self, surface: &Surface<S>) -> [S; 2] {
+        dispatch!(self, shape => shape.texture_coordinates(surface))
+    }
+
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        dispatch!(self, shape => shape.tangents(surface))
     }
 
     fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {

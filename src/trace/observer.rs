@@ -14,6 +14,9 @@ pub enum RayKind {
 ///
 /// `()` watches nothing and costs nothing.
 pub trait Observer {
+    /// Tells whether it looks at the tiles that [`Observer::met`] names: without, none is worked out.
+    const SEES_TILES: bool = true;
+
     /// Is told of each ray before it is traced.
     fn ray(&mut self, kind: RayKind);
 
@@ -28,6 +31,8 @@ pub trait Observer {
 }
 
 impl Observer for () {
+    const SEES_TILES: bool = false;
+
     fn ray(&mut self, _: RayKind) {}
 }
 
@@ -43,6 +48,8 @@ pub struct RayCounts {
 }
 
 impl Observer for RayCounts {
+    const SEES_TILES: bool = false;
+
     fn ray(&mut self, kind: RayKind) {
         match kind {
             RayKind::Primary => self.primary += 1,
