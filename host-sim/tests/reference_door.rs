@@ -7,14 +7,19 @@ use std::{fs, io};
 const DOOR: &str = "description.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 14] = [
+const DATA: [&str; 19] = [
+    "Bitmap",
+    "Bump",
     "Camera",
     "Dither",
+    "Filter",
+    "Image",
     "Light",
     "Material",
     "Model",
     "Object",
     "Projection",
+    "Relief",
     "Rgb",
     "Scene",
     "Settings",
@@ -25,8 +30,9 @@ const DATA: [&str; 14] = [
 ];
 const ALSO_DATA: &str = "Vec3";
 
-/// Lists the methods the door may call: those of slices, options and iterators.
-const METHODS: [&str; 5] = ["collect", "get", "iter", "map", "ok_or"];
+/// Lists the methods the door may call: those of slices, options and iterators, and those of an image
+/// that read its texels out.
+const METHODS: [&str; 7] = ["collect", "get", "iter", "map", "ok_or", "size", "texel"];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this
 /// test.

@@ -62,13 +62,18 @@ macro_rules! with_helpers {
 
 use {in_every_number, with_helpers};
 
+mod bump;
 mod business_card;
 mod c_ray;
+mod displaced;
+mod environment;
 mod first_light;
+mod images;
 mod mirror_levels;
 mod orthographic;
 mod playdate;
 mod simple;
+mod textured;
 mod three_spheres;
 mod tinyraytracer;
 
@@ -104,18 +109,22 @@ macro_rules! gallery_of {
     ($module:ident, $number:ty, $about:literal) => {
         #[doc = $about]
         pub mod $module {
+            pub use super::bump::$module::VIEW as BUMP;
             pub use super::business_card::$module::VIEW as BUSINESS_CARD;
             pub use super::c_ray::$module::VIEW as C_RAY;
+            pub use super::displaced::$module::VIEW as DISPLACED;
+            pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
             pub use super::playdate::$module::VIEW as PLAYDATE;
             pub use super::simple::$module::VIEW as SIMPLE;
+            pub use super::textured::$module::VIEW as TEXTURED;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
 
             /// Lists the gallery; a constant that takes one of it links that scene alone.
-            pub static VIEWS: [super::View<$number>; 9] = [
+            pub static VIEWS: [super::View<$number>; 13] = [
                 SIMPLE,
                 FIRST_LIGHT,
                 MIRROR_LEVELS,
@@ -125,6 +134,10 @@ macro_rules! gallery_of {
                 C_RAY,
                 BUSINESS_CARD,
                 PLAYDATE,
+                TEXTURED,
+                BUMP,
+                DISPLACED,
+                ENVIRONMENT,
             ];
         }
 

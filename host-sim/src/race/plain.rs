@@ -55,8 +55,8 @@ impl Plain {
         });
         let ambient = grey(scene.ambient)?;
         let bodies = scene.objects.iter().map(|object| {
-            if matches!(object.shape, Shape::Cuboid(_)) {
-                return Err(Fault::Unwritable("boxes"));
+            if matches!(object.shape, Shape::Cuboid(_) | Shape::Displaced(_)) {
+                return Err(Fault::Unwritable("boxes and reliefs"));
             }
             let material = &scene.materials[usize::from(object.material)];
             Ok(Body { shape: object.shape, finish: Finish::of(material, ambient)? })
@@ -75,6 +75,9 @@ impl Plain {
 impl Finish {
     fn of(material: &Material<f64>, ambient: f64) -> Result<Self, Fault> {
         let Texture::Solid(color) = material.texture else { return Err(Fault::Unwritable("textures")) };
+        if material.bump.is_some() {
+            return Err(Fault::Unwritable("bumps"));
+        }
         if material.model != Model::Phong {
             return Err(Fault::Unwritable("surfaces that ask for no light"));
         }

@@ -70,7 +70,7 @@ fn body(Body { shape, finish }: &Body) -> String {
             format!("triangle {{ {a}, {b}, {c} {texture} }}")
         }
         // No such shape is put in plain words.
-        Shape::Cuboid(_) | Shape::Custom(_) => String::new(),
+        Shape::Cuboid(_) | Shape::Displaced(_) | Shape::Custom(_) => String::new(),
     }
 }
 

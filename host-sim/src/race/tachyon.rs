@@ -84,7 +84,7 @@ fn body(Body { shape, finish }: &Body) -> String {
             format!("TRI V0 {a} V1 {b} V2 {c} {texture}")
         }
         // No such shape is put in plain words.
-        Shape::Cuboid(_) | Shape::Custom(_) => String::new(),
+        Shape::Cuboid(_) | Shape::Displaced(_) | Shape::Custom(_) => String::new(),
     }
 }
 

@@ -1,8 +1,11 @@
 //! The door: copies a scene's plain data out of the core's types. Nothing is calculated here.
 
+use super::displaced::Displaced;
+use super::raster::{Image, Raster};
 use super::vector::Vector;
 use crate::panel::Panel;
 use std::fmt;
+use std::sync::Arc;
 
 /// Tells that a description holds something the reference has no formula for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,23 +34,25 @@ pub struct Description {
     pub(super) exposure: f64,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Object {
     pub shape: Shape,
     pub material: Material,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Shape {
+    Displaced(Displaced),
     Sphere { center: Vector, radius: f64 },
     Plane { point: Vector, normal: Vector },
     Triangle { corners: [Vector; 3] },
     Cuboid { low: Vector, high: Vector },
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Material {
     pub texture: Texture,
+    pub bump: Option<Bump>,
     pub lit: bool,
     pub ambient: f64,
     pub specular: Vector,
@@ -55,10 +60,19 @@ pub(super) struct Material {
     pub mirror: f64,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
+pub(super) enum Bump {
+    Heights { image: Image, height: f64 },
+    Normals { image: Image },
+}
+
+#[derive(Clone, Debug)]
 pub(super) enum Texture {
     Solid(Vector),
     Checker { even: Vector, odd: Vector, per_unit: f64 },
+    Stripes { even: Vector, odd: Vector, per_unit: [f64; 2] },
+    Rings { even: Vector, odd: Vector, center: [f64; 2], per_unit: f64 },
+    Image(Image),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -67,10 +81,11 @@ pub(super) enum Light {
     Directional { toward: Vector, color: Vector },
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Sky {
     Solid(Vector),
     Gradient { up: Vector, nadir: Vector, zenith: Vector },
+    Cube { faces: [Arc<Raster>; 6], smooth: bool },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -110,12 +125,44 @@ fn light(c: &scanray::Rgb<f64>) -> Vector {
     Vector([c.r, c.g, c.b])
 }
 
+fn raster(bitmap: &scanray::Bitmap) -> Arc<Raster> {
+    let [columns, rows] = bitmap.size();
+    let row = |row: u32| (0..columns).map(|column| bitmap.texel([column, row])).collect();
+    Arc::new(Raster { rows: (0..rows).map(row).collect() })
+}
+
+fn image(image: &scanray::Image<f64>) -> Image {
+    let smooth = is_smooth(image.filter);
+    Image { raster: raster(&image.bitmap), per_unit: image.per_unit, smooth }
+}
+
+fn is_smooth(filter: scanray::Filter) -> bool {
+    match filter {
+        scanray::Filter::Nearest => false,
+        scanray::Filter::Bilinear => true,
+    }
+}
+
+fn bump(bump: &scanray::Bump<f64>) -> Result<Bump, Unknown> {
+    match bump.relief {
+        scanray::Relief::Heights(height) => Ok(Bump::Heights { image: image(&bump.image), height }),
+        scanray::Relief::Normals => Ok(Bump::Normals { image: image(&bump.image) }),
+        _ => Err(Unknown("relief")),
+    }
+}
+
 fn shape(shape: &scanray::Shape<f64>) -> Shape {
     match shape {
         scanray::Shape::Sphere(s) => Shape::Sphere { center: vector(&s.center), radius: s.radius },
         scanray::Shape::Plane(p) => Shape::Plane { point: vector(&p.point), normal: vector(&p.normal) },
         scanray::Shape::Triangle(t) => Shape::Triangle { corners: [&t.a, &t.b, &t.c].map(vector) },
         scanray::Shape::Cuboid(c) => Shape::Cuboid { low: vector(&c.low), high: vector(&c.high) },
+        scanray::Shape::Displaced(d) => Shape::Displaced(Displaced {
+            center: vector(&d.ball.center),
+            radius: d.ball.radius,
+            relief: image(&d.relief),
+            height: d.height,
+        }),
         scanray::Shape::Custom(none) => match *none {},
     }
 }
@@ -126,6 +173,14 @@ fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
         scanray::Texture::Checker(c) => {
             Ok(Texture::Checker { even: light(&c.even), odd: light(&c.odd), per_unit: c.per_unit })
         }
+        scanray::Texture::Stripes(s) => {
+            Ok(Texture::Stripes { even: light(&s.even), odd: light(&s.odd), per_unit: s.per_unit })
+        }
+        scanray::Texture::Rings(r) => {
+            let (even, odd) = (light(&r.even), light(&r.odd));
+            Ok(Texture::Rings { even, odd, center: r.center, per_unit: r.per_unit })
+        }
+        scanray::Texture::Image(i) => Ok(Texture::Image(image(i))),
         _ => Err(Unknown("texture")),
     }
 }
@@ -138,7 +193,11 @@ fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
     };
     let (specular, shininess) = (light(&material.specular), material.shininess);
     let (ambient, mirror) = (material.ambient, material.mirror);
-    Ok(Material { texture: texture(&material.texture)?, lit, ambient, specular, shininess, mirror })
+    let bump = match &material.bump {
+        Some(relief) => Some(bump(relief)?),
+        None => None,
+    };
+    Ok(Material { texture: texture(&material.texture)?, bump, lit, ambient, specular, shininess, mirror })
 }
 
 fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
@@ -153,12 +212,19 @@ fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
     }
 }
 
+/// Lists the faces of a cube.
+const FACES: [usize; 6] = [0, 1, 2, 3, 4, 5];
+
 fn sky(sky: &scanray::Sky<f64>) -> Result<Sky, Unknown> {
     match sky {
         scanray::Sky::Solid(color) => Ok(Sky::Solid(light(color))),
         scanray::Sky::Gradient { up, nadir, zenith } => {
             Ok(Sky::Gradient { up: vector(up), nadir: light(nadir), zenith: light(zenith) })
         }
+        scanray::Sky::Cube(cube) => Ok(Sky::Cube {
+            faces: FACES.map(|face| raster(&cube.faces[face])),
+            smooth: is_smooth(cube.filter),
+        }),
         _ => Err(Unknown("sky")),
     }
 }

@@ -1,4 +1,4 @@
-use super::description::{Description, Light, Material, Sky, Texture};
+use super::description::{Description, Light, Material};
 use super::shape::Ray;
 use super::trail::{Stop, Trail};
 use super::vector::Vector;
@@ -34,6 +34,12 @@ impl Light {
     }
 }
 
+/// Answers a normal that looks to the viewer: one that looks away, mirrored at the line of sight.
+pub(super) fn toward(normal: Vector, to_eye: Vector) -> Vector {
+    let away = normal.inner(to_eye).min(0.0);
+    normal - to_eye * (2.0 * away)
+}
+
 impl Description {
     /// Answers the first thing a ray meets that `counts`; the first listed of equally near ones.
     fn first(&self, ray: &Ray, left: Left, counts: impl Fn(f64) -> bool) -> Option<Arrival> {
@@ -57,13 +63,19 @@ impl Description {
 
     /// Answers the light from where a ray ends, with so many mirrors to go.
     fn light_of(&self, ray: &Ray, arrival: Option<Arrival>, mirrors: u8, trail: &mut Trail) -> Vector {
-        let Some(Arrival { object, part, point }) = arrival else { return self.sky_light(ray.direction) };
+        let Some(Arrival { object, part, point }) = arrival else { return self.sky.light(ray.direction) };
         let shape = &self.objects[object].shape;
         let material = &self.objects[object].material;
-        let normal = shape.normal(point, part);
-        let normal = if normal.inner(ray.direction) > 0.0 { -normal } else { normal };
-        let (color, tile) = material.texture.look(shape.texture_coordinates(point, part));
+        let coordinates = shape.texture_coordinates(point, part);
+        let (color, tile) = material.texture.look(coordinates);
         let to_eye = -ray.direction.unit();
+        let mut normal = shape.seen_normal(point, part, to_eye);
+        if let Some(bump) = &material.bump {
+            let outward = shape.outward_normal(point, part);
+            let turned = bump.turned(outward, shape.derivatives(point, part), coordinates);
+            let turned = if outward.inner(normal) < 0.0 { -turned } else { turned };
+            normal = toward(turned, to_eye);
+        }
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
         let reached: Vec<bool> =
             self.lights.iter().map(|light| material.lit && self.reaches(light, &place)).collect();
@@ -95,16 +107,6 @@ impl Description {
         let reaching = self.lights.iter().zip(reached).filter(|(_, reached)| **reached);
         reaching.map(|(light, _)| place.reflected(light)).fold(ambient, |sum, light| sum + light)
     }
-
-    fn sky_light(&self, direction: Vector) -> Vector {
-        match self.sky {
-            Sky::Solid(color) => color,
-            Sky::Gradient { up, nadir, zenith } => {
-                let share = (1.0 + direction.unit().inner(up)) / 2.0;
-                nadir + (zenith - nadir) * share
-            }
-        }
-    }
 }
 
 impl Place<'_> {
@@ -117,19 +119,5 @@ impl Place<'_> {
         let toward_eye = mirrored.inner(self.to_eye);
         let shine = if toward_eye > 0.0 { toward_eye.powf(f64::from(self.material.shininess)) } else { 0.0 };
         color.filter(self.color * cosine + self.material.specular * shine)
-    }
-}
-
-impl Texture {
-    /// Answers the colour at texture coordinates, and the tile if there are tiles.
-    fn look(&self, [u, v]: [f64; 2]) -> (Vector, Option<[i64; 2]>) {
-        match *self {
-            Self::Solid(color) => (color, None),
-            Self::Checker { even, odd, per_unit } => {
-                let tile = [u, v].map(|coordinate| (coordinate * per_unit).floor() as i64);
-                let color = if (tile[0] + tile[1]).rem_euclid(2) == 0 { even } else { odd };
-                (color, Some(tile))
-            }
-        }
     }
 }

@@ -11,11 +11,14 @@
 
 mod camera;
 mod description;
+mod displaced;
 mod display;
 mod light;
 mod matrix;
 mod picture;
+mod raster;
 mod shape;
+mod texture;
 mod trail;
 mod vector;
 

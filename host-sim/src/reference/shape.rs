@@ -1,4 +1,6 @@
 use super::description::Shape;
+use super::displaced::{globe_coordinates, globe_derivatives};
+use super::light::toward;
 use super::vector::Vector;
 
 /// Is a half-line; its direction has any length.
@@ -24,7 +26,7 @@ pub(super) struct Root {
 }
 
 /// Answers both roots of `a t^2 + b t + c`, the smaller first.
-fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
+pub(super) fn quadratic(a: f64, b: f64, c: f64) -> Vec<f64> {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {
         return vec![];
@@ -69,6 +71,7 @@ impl Shape {
     fn roots(&self, ray: &Ray) -> Vec<Root> {
         let whole = |t: f64| Root { t, part: 0 };
         match *self {
+            Self::Displaced(ref ball) => ball.roots(ray),
             Self::Sphere { center, radius } => {
                 let (v, from) = (ray.direction, ray.start - center);
                 let c = from.inner(from) - radius * radius;
@@ -90,6 +93,8 @@ impl Shape {
     fn roots_leaving(&self, ray: &Ray, part: u8) -> Vec<Root> {
         let mut roots = self.roots(ray);
         match *self {
+            // The start is the nearest root, unless rounding has put it beside the surface.
+            Self::Displaced(_) => roots.retain(|root| root.t.abs() * ray.direction.norm() > 1e-7),
             Self::Sphere { .. } => {
                 roots.sort_by(|a, b| b.t.abs().total_cmp(&a.t.abs()));
                 roots.truncate(1);
@@ -114,14 +119,54 @@ impl Shape {
         roots
     }
 
-    /// Answers a unit normal at a point of a part, to either side.
-    pub fn normal(&self, point: Vector, part: u8) -> Vector {
+    /// Answers the unit normal at a point of a part, on the viewer's side.
+    pub fn seen_normal(&self, point: Vector, part: u8, to_eye: Vector) -> Vector {
+        let outward = self.outward_normal(point, part);
+        match self {
+            // The part tells the side; an averaged normal may look away from it.
+            Self::Displaced(_) => toward(if part % 2 == 0 { outward } else { -outward }, to_eye),
+            _ => {
+                if outward.inner(to_eye) < 0.0 {
+                    -outward
+                } else {
+                    outward
+                }
+            }
+        }
+    }
+
+    /// Answers the outward unit normal at a point of a part.
+    pub fn outward_normal(&self, point: Vector, part: u8) -> Vector {
         match *self {
+            Self::Displaced(ref ball) => ball.normal(point),
             Self::Sphere { center, .. } => (point - center).unit(),
             Self::Plane { normal, .. } => normal.unit(),
             Self::Triangle { corners: [a, b, c] } => (b - a).outer(c - a).unit(),
             Self::Cuboid { .. } => {
-                Vector::by_axis(|axis| if axis == usize::from(part / 2) { 1.0 } else { 0.0 })
+                let side = if part.is_multiple_of(2) { -1.0 } else { 1.0 };
+                Vector::by_axis(|axis| if axis == usize::from(part / 2) { side } else { 0.0 })
+            }
+        }
+    }
+
+    /// Answers the derivatives of the point by the texture coordinates.
+    pub fn derivatives(&self, point: Vector, part: u8) -> [Vector; 2] {
+        let along = |axis: usize, length: f64| Vector::by_axis(|i| if i == axis { length } else { 0.0 });
+        match *self {
+            Self::Displaced(ref ball) => {
+                let from_center = point - ball.center;
+                globe_derivatives(from_center).map(|derivative| derivative * from_center.norm())
+            }
+            Self::Sphere { center, radius } => {
+                globe_derivatives(point - center).map(|derivative| derivative * radius)
+            }
+            Self::Plane { normal, .. } => {
+                let hidden = largest_axis(normal);
+                others(hidden).map(|axis| along(axis, 1.0) - along(hidden, normal.0[axis] / normal.0[hidden]))
+            }
+            Self::Triangle { corners: [a, b, c] } => [b - a, c - a],
+            Self::Cuboid { low, high } => {
+                others(usize::from(part / 2)).map(|axis| along(axis, high.0[axis] - low.0[axis]))
             }
         }
     }
@@ -129,7 +174,8 @@ impl Shape {
     /// Answers the texture coordinates of a point of a part.
     pub fn texture_coordinates(&self, point: Vector, part: u8) -> [f64; 2] {
         match *self {
-            Self::Sphere { .. } => [0.0, 0.0],
+            Self::Displaced(ref ball) => globe_coordinates(point - ball.center),
+            Self::Sphere { center, .. } => globe_coordinates(point - center),
             Self::Plane { normal, .. } => leave_out(largest_axis(normal), point),
             Self::Triangle { corners } => {
                 let [_, u, v] = shares(corners, point);
@@ -150,11 +196,12 @@ fn largest_axis(v: Vector) -> usize {
     [1, 0, 2].into_iter().find(|axis| size[*axis] == longest).unwrap_or(1)
 }
 
+/// Answers the two axes other than one.
+fn others(axis: usize) -> [usize; 2] {
+    [[1, 2], [0, 2], [0, 1]][axis]
+}
+
 /// Answers the two components other than that of an axis.
 fn leave_out(axis: usize, v: Vector) -> [f64; 2] {
-    match axis {
-        0 => [v.0[1], v.0[2]],
-        1 => [v.0[0], v.0[2]],
-        _ => [v.0[0], v.0[1]],
-    }
+    others(axis).map(|other| v.0[other])
 }
