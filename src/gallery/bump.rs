@@ -11,7 +11,7 @@ super::in_every_number! {
         Object::new(Shape::Sphere(Sphere::new(v(0.95, 1.05, -1.1), n(1.05))), 3),
     ];
     static MATERIALS: [Material<S>; 4] = [
-        Material::matte(rgb(0.30, 0.27, 0.25)).with_mirror(n(0.15)),
+        Material::matte(rgb(0.20, 0.22, 0.27)).with_mirror(n(0.15)),
         Material::matte(rgb(0.95, 0.38, 0.03))
             .with_specular(gray(0.35), 30)
             .with_bump(Bump::heights(Image::new(PEEL).with_tiles(n(6.0), n(3.0)), n(0.035))),
@@ -34,8 +34,8 @@ super::in_every_number! {
         about: "an orange, a golf ball and hammered metal: smooth balls whose normals are turned",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.12))
-            .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.85, 0.72, 0.60), zenith: rgb(0.10, 0.16, 0.32) }),
-        camera: Camera::perspective(v(0.0, 1.9, 6.2), v(0.0, 0.95, 0.0), v(0.0, 1.0, 0.0), n(36.0)),
+            .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.90, 0.70, 0.50), zenith: rgb(0.03, 0.07, 0.22) }),
+        camera: Camera::perspective(v(0.0, 1.9, 6.2), v(0.0, 0.95, 0.0), v(0.0, 1.0, 0.0), n(38.0)),
         settings: Settings::new().with_depth(2),
         size: [320, 240],
     };

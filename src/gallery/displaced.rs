@@ -5,9 +5,9 @@ super::in_every_number! {
 
     static OBJECTS: [Object<S>; 2] = [
         Object::new(Shape::Displaced(Displaced::new(
-            Sphere::new(v(0.0, 0.25, 0.0), n(1.0)),
+            Sphere::new(v(0.0, 0.25, 0.0), n(1.1)),
             Image::new(CRATERS),
-            n(0.35),
+            n(0.26),
         )), 0),
         Object::new(Shape::Plane(Plane::new(v(0.0, -1.3, 0.0), v(0.0, 1.0, 0.0))), 1),
     ];
@@ -15,7 +15,10 @@ super::in_every_number! {
         Material::matte(rgb(0.72, 0.66, 0.58)),
         Material::matte(rgb(0.16, 0.19, 0.26)),
     ];
-    static LIGHTS: [Light<S>; 1] = [Light::directional(v(-0.9, 0.75, 0.55), gray(1.1))];
+    static LIGHTS: [Light<S>; 2] = [
+        Light::directional(v(-0.8, 0.8, 0.7), rgb(1.05, 1.0, 0.9)),
+        Light::directional(v(1.0, 0.1, 0.5), rgb(0.05, 0.08, 0.16)),
+    ];
 
     /// A small moon above a floor.
     pub const VIEW: View<S> = View {

@@ -10,7 +10,7 @@ super::in_every_number! {
     ];
     static MATERIALS: [Material<S>; 3] = [
         Material::matte(gray(0.02)).with_specular(rgb(0.8, 0.6, 0.4), 200).with_mirror(n(0.9)),
-        Material::matte(rgb(0.55, 0.06, 0.05)).with_specular(gray(0.4), 60).with_mirror(n(0.25)),
+        Material::matte(rgb(0.55, 0.06, 0.05)).with_specular(gray(0.4), 60).with_mirror(n(0.35)),
         Material::matte(rgb(0.30, 0.19, 0.04)).with_specular(gray(0.4), 60).with_mirror(n(0.5)),
     ];
     static LIGHTS: [Light<S>; 1] = [Light::directional(v(-0.6, 0.25, -0.35), rgb(1.0, 0.75, 0.45))];
@@ -20,7 +20,7 @@ super::in_every_number! {
         name: "environment",
         about: "balls that mirror a dusk over a lake, which lies on the six faces of a cube",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
-            .with_ambient(rgb(0.35, 0.32, 0.40))
+            .with_ambient(rgb(0.14, 0.13, 0.18))
             .with_sky(Sky::Cube(Cube::new(&DUSK))),
         camera: Camera::perspective(v(1.6, 0.5, 5.4), v(0.1, 0.2, 0.0), v(0.0, 1.0, 0.0), n(36.0)),
         settings: Settings::new().with_depth(3),

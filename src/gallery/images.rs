@@ -51,6 +51,7 @@ macro_rules! image {
 }
 
 image!(LETTERS: Rgb565, 32 x 32, "letters_32x32.rgb565");
+image!(PAVEMENT: Rgb565, 8 x 8, "pavement_8x8.rgb565");
 image!(WORLD: Rgb565, 96 x 48, "world_96x48.rgb565");
 image!(CRATERS: Gray8, 96 x 48, "craters_96x48.gray8");
 image!(PEEL: Gray8, 32 x 32, "peel_32x32.gray8");

@@ -14,8 +14,8 @@ use crate::texture::{Image, Spot, bend, levels, rise};
 /// level, and is smoothed between texels. Outline and shadow are those of the moved points. The normal is
 /// that of heights averaged over a texel, so that light does not break at the texels' rims.
 ///
-/// A ray walks through the shell between the ball and the highest relief in steps of 1/48 of the outer
-/// radius, at most 98 of them, and then halves the step that went through the surface to the last digit:
+/// A ray walks through the shell between the ball and the highest relief in steps of 1/96 of the outer
+/// radius, at most 193 of them, and then halves the step that went through the surface to the last digit:
 /// what is thinner than a step along the ray may be missed. A step looks up four texels; a picture takes
 /// some thirty times as long as one of a plain ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ impl<S> Displaced<S> {
 }
 
 /// Is how many steps a radius is walked through in.
-const STEPS_A_RADIUS: i32 = 48;
+const STEPS_A_RADIUS: i32 = 96;
 
 impl<S: Scalar> Displaced<S> {
     fn hull_ball(&self) -> Sphere<S> {

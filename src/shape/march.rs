@@ -3,7 +3,7 @@
 use crate::math::Scalar;
 
 /// Is the most steps of a search.
-pub(super) const STEPS: usize = 100;
+pub(super) const STEPS: usize = 200;
 
 /// Is a short piece of a ray that ends on the other side of a surface.
 pub(super) struct Bracket<S> {
@@ -68,7 +68,7 @@ mod tests {
         assert!((first(0.05, 3.35, 9.0, true).expect("its back") - 3.4).abs() < precision);
         assert!((first(0.5, 0.0, 9.0, false).expect("the thick one") - 5.0).abs() < precision);
         assert_eq!(first(0.05, 0.0, 3.0, false), None);
-        assert_eq!(first(0.01, 0.0, 9.0, false), None, "100 steps are not far enough");
+        assert_eq!(first(0.015, 0.0, 9.0, false), None, "200 steps are not far enough");
     }
 
     #[test]

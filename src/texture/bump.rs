@@ -1,6 +1,6 @@
 use super::image::{Image, Spot, last_texel, levels};
 use crate::hit::Tangent;
-use crate::math::{Scalar, Vec3};
+use crate::math::{Scalar, Vec3, Wide};
 
 /// Names what the texels of a bump map say.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,10 +83,11 @@ pub(crate) fn rise<S: Scalar>(
     ];
     let [u, v] = tangents;
     let [per_u, per_v] = image.per_unit;
+    // Of small heights a product would keep few digits: the one division has wide numbers on both sides.
     let slope = |difference: S, texels: S, tangent: &Tangent<S>| {
-        let rise = difference.ratio(S::from_i32(255)) * height;
+        let (rise, run) = (difference.mul_wide(texels * height), tangent.length.mul_wide(S::from_i32(255)));
         // At a pole u has no length, and no slope along it.
-        if tangent.length == S::ZERO { S::ZERO } else { (rise * texels).ratio(tangent.length) }
+        if run == S::Wide::ZERO { S::ZERO } else { S::div(rise, run) }
     };
     [slope(differences[0], columns * per_u, u), slope(differences[1], rows * per_v, v)]
 }

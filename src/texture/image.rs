@@ -75,7 +75,7 @@ impl<S: Scalar> Image<S> {
     pub fn tile(&self, u: S, v: S) -> u32 {
         let spot = self.spot(u, v);
         let [column, row] = cell(self.filter, &spot);
-        let [i, j] = spot.copy.map(|copy| copy as u32 * Bitmap::LARGEST);
+        let [i, j] = spot.copy.map(|copy| (copy as u32).wrapping_mul(Bitmap::LARGEST));
         i.wrapping_add(column) ^ j.wrapping_add(row).rotate_left(16)
     }
 

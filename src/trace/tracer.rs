@@ -152,7 +152,9 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             if material.is_detailed() {
                 refine(shape, material, run);
             }
-            self.visit(shape.is_convex(), material, level, run, light, observer);
+            // A bumpy normal may send a ray into its own shape.
+            let convex = shape.is_convex() && material.bump.is_none();
+            self.visit(convex, material, level, run, light, observer);
         }
         sent_on
     }

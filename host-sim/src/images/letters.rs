@@ -5,6 +5,17 @@ use embedded_graphics::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics::prelude::*;
 use embedded_graphics::text::{Baseline, Text};
 
+/// Is the letter F, which no turn and no mirror brings onto itself.
+const F: [&str; 8] =
+    ["........", ".#####..", ".#......", ".#......", ".####...", ".#......", ".#......", ".#......"];
+
+/// Answers the colour of a pavement of letters F, sRGB levels.
+pub(super) fn pavement(u: f64, v: f64) -> [f64; 3] {
+    let texel = |share: f64| (share * 7.0).round() as usize;
+    let stone = F[7 - texel(v)].as_bytes()[texel(u)];
+    if stone == b'#' { [0.36, 0.42, 0.50] } else { [0.78, 0.74, 0.66] }
+}
+
 /// Draws the letters A, B, C, D, two by two: an image that tells left from right and up from down.
 pub(super) fn letters() -> Vec<u8> {
     let mut image =

@@ -9,7 +9,7 @@ mod reliefs;
 mod sky;
 mod world;
 
-use letters::letters;
+use letters::{letters, pavement};
 
 /// Is the name of a file of `src/gallery/images` and its bytes, row by row from the top.
 pub type File = (&'static str, Vec<u8>);
@@ -18,6 +18,7 @@ pub type File = (&'static str, Vec<u8>);
 pub fn all() -> Vec<File> {
     let mut files = vec![
         ("letters_32x32.rgb565", letters()),
+        ("pavement_8x8.rgb565", picture([8, 8], pavement)),
         ("world_96x48.rgb565", picture([96, 48], world::color)),
         ("craters_96x48.gray8", relief([96, 48], reliefs::craters)),
         ("peel_32x32.gray8", relief([32, 32], reliefs::peel)),

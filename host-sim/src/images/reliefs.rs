@@ -21,12 +21,12 @@ fn crater(distance: f64) -> f64 {
 pub(super) fn craters(u: f64, v: f64) -> f64 {
     let direction = on_ball(u, v);
     let depth = |(i, center): (usize, [f64; 3])| {
-        let size = [0.42, 0.26, 0.32][i % 3];
+        let size = [0.40, 0.24, 0.30, 0.20][i % 4];
         let square: f64 = (0..3).map(|k| (direction[k] - center[k]) * (direction[k] - center[k])).sum();
         size * crater(square.sqrt() / size)
     };
     let hills = layered(direction.map(|c| 1.7 * c + 2.0), 3) - 0.5;
-    0.55 + spread(26).enumerate().map(depth).sum::<f64>() * 0.85 + 0.7 * hills
+    0.66 + spread(30).enumerate().map(depth).sum::<f64>() + 0.9 * hills
 }
 
 /// Answers the height of an orange's peel, which repeats beyond its rims.

@@ -29,7 +29,7 @@ pub(super) fn globe_derivatives(direction: Vector) -> [Vector; 2] {
     [by_phi * -TAU, by_theta * -PI]
 }
 
-/// Is how many steps the way through the hull is looked at in: some twenty times as many as the core's.
+/// Is how many steps the way through the hull is looked at in: some ten times as many as the core's.
 const STEPS: u32 = 2000;
 
 impl Displaced {
