@@ -29,8 +29,8 @@ pub(super) fn globe_derivatives(direction: Vector) -> [Vector; 2] {
     [by_phi * -TAU, by_theta * -PI]
 }
 
-/// Is how many steps the way through the hull is looked at in: some ten times as many as the core's.
-const STEPS: u32 = 2000;
+/// Is how many steps the way through the hull is looked at in: some six times as many as the core's.
+const STEPS: u32 = 1200;
 
 impl Displaced {
     fn surface_radius(&self, direction: Vector) -> f64 {
