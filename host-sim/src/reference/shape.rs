@@ -124,7 +124,7 @@ impl Shape {
         let outward = self.outward_normal(point, part);
         match self {
             // The part tells the side; an averaged normal may look away from it.
-            Self::Displaced(_) => toward(if part % 2 == 0 { outward } else { -outward }, to_eye),
+            Self::Displaced(_) => toward(if part.is_multiple_of(2) { outward } else { -outward }, to_eye),
             _ => {
                 if outward.inner(to_eye) < 0.0 {
                     -outward
