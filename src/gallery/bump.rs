@@ -34,7 +34,11 @@ super::in_every_number! {
         about: "an orange, a golf ball and hammered metal: smooth balls whose normals are turned",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.12))
-            .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.90, 0.70, 0.50), zenith: rgb(0.03, 0.07, 0.22) }),
+            .with_sky(Sky::Gradient {
+                up: v(0.0, 1.0, 0.0),
+                nadir: rgb(0.90, 0.70, 0.50),
+                zenith: rgb(0.03, 0.07, 0.22),
+            }),
         camera: Camera::perspective(v(0.0, 1.9, 6.2), v(0.0, 0.95, 0.0), v(0.0, 1.0, 0.0), n(38.0)),
         settings: Settings::new().with_depth(2),
         size: [320, 240],

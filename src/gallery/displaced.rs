@@ -26,7 +26,11 @@ super::in_every_number! {
         about: "a small moon: a ball whose points a map of craters has moved, outline and shadows included",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.06))
-            .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.25, 0.28, 0.36), zenith: rgb(0.01, 0.01, 0.04) }),
+            .with_sky(Sky::Gradient {
+                up: v(0.0, 1.0, 0.0),
+                nadir: rgb(0.25, 0.28, 0.36),
+                zenith: rgb(0.01, 0.01, 0.04),
+            }),
         camera: Camera::perspective(v(1.5, 1.2, 5.2), v(0.1, 0.0, 0.0), v(0.0, 1.0, 0.0), n(38.0)),
         settings: Settings::new(),
         size: [240, 240],

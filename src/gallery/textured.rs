@@ -8,7 +8,10 @@ super::in_every_number! {
         Object::new(Shape::Plane(Plane::new(Vec3::ZERO, v(0.0, 1.0, 0.0))), 0),
         Object::new(Shape::Sphere(Sphere::new(v(-1.25, 1.0, -0.5), n(1.0))), 1),
         Object::new(Shape::Cuboid(Cuboid::new(v(0.5, 0.0, -1.1), v(1.7, 1.2, 0.1))), 2),
-        Object::new(Shape::Triangle(Triangle::new(v(-0.75, 0.0, 1.5), v(0.65, 0.0, 1.7), v(-0.55, 1.1, 1.2))), 2),
+        Object::new(
+            Shape::Triangle(Triangle::new(v(-0.75, 0.0, 1.5), v(0.65, 0.0, 1.7), v(-0.55, 1.1, 1.2))),
+            2,
+        ),
         Object::new(Shape::Cuboid(Cuboid::new(v(1.2, 0.0, 0.9), v(1.8, 0.4, 1.5))), 3),
         Object::new(Shape::Sphere(Sphere::new(v(-1.7, 0.35, 1.3), n(0.35))), 4),
     ];
@@ -19,7 +22,9 @@ super::in_every_number! {
         )),
         Material::textured(Texture::Image(Image::new(WORLD))).with_specular(gray(0.25), 40),
         Material::textured(Texture::Image(Image::new(LETTERS))),
-        Material::textured(Texture::Rings(Rings::new(gray(0.9), rgb(0.8, 0.1, 0.05), [n(0.5), n(0.5)], n(7.0)))),
+        Material::textured(Texture::Rings(
+            Rings::new(gray(0.9), rgb(0.8, 0.1, 0.05), [n(0.5), n(0.5)], n(7.0)),
+        )),
         Material::textured(Texture::Stripes(Stripes::new(gray(0.9), rgb(0.9, 0.5, 0.0), [n(12.0), n(6.0)])))
             .with_specular(gray(0.3), 50),
     ];

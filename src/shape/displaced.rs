@@ -16,8 +16,7 @@ use crate::texture::{Image, Spot, bend, levels, rise};
 ///
 /// A ray walks through the shell between the ball and the highest relief in steps of 1/96 of the outer
 /// radius, at most 193 of them, and then halves the step that went through the surface to the last digit:
-/// what is thinner than a step along the ray may be missed. A step looks up four texels; a picture takes
-/// some thirty times as long as one of a plain ball.
+/// what is thinner than a step along the ray may be missed. Each step finds two angles and four texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Displaced<S = f32> {
     /// The ball, where the map is black.
