@@ -29,6 +29,8 @@ pub enum Fault {
     NoDirection,
     /// A normal given for a corner does not point to the outward side of its triangle.
     NormalInward,
+    /// An image has no texels, or more than 2048 to a side.
+    ImageSize,
     /// The object names a material that is not in the list.
     NoSuchMaterial(u16),
     /// There are more objects than an index can name, 65535.
@@ -55,6 +57,7 @@ impl fmt::Display for Fault {
             Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),
             Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
             Self::NormalInward => f.write_str("the normal of a corner does not point to its outward side"),
+            Self::ImageSize => f.write_str("its image is empty or more than 2048 texels wide or high"),
             Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
             Self::TooMany => f.write_str("there are more than 65535 of them"),
             Self::NotRasterized => f.write_str("the z-buffer has no way to draw such a shape"),

@@ -38,3 +38,20 @@ pub struct Surface<S = f32> {
     /// Which part of the shape it is.
     pub part: u16,
 }
+
+/// Is the way along which a texture coordinate grows over a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tangent<S = f32> {
+    /// Unit vector along the surface; the other coordinate stays.
+    pub direction: Vec3<S>,
+    /// Length of surface to a unit of the coordinate.
+    pub length: S,
+}
+
+impl<S: Scalar> Tangent<S> {
+    /// Makes a tangent of the derivative of the point by the coordinate.
+    pub fn along(derivative: Vec3<S>) -> Self {
+        let (direction, length) = derivative.normalize().unwrap_or((Vec3::ZERO, S::ZERO));
+        Self { direction, length }
+    }
+}

@@ -89,7 +89,7 @@ pub mod gallery;
 
 pub use camera::{Camera, CameraError, Projection};
 pub use color::Rgb;
-pub use environment::Sky;
+pub use environment::{Cube, Sky};
 pub use fault::Fault;
 pub use glass::{Fresnel, Glass};
 pub use light::Light;
@@ -100,9 +100,12 @@ pub use raster::{RasterRenderer, RasterWorkspace};
 pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{
-    Cone, Cuboid, FillRule, Intersect, Plane, Polygon, Shape, SmoothTriangle, Sphere, Triangle, Vertex,
+    Cone, Cuboid, Displaced, FillRule, Intersect, Plane, Polygon, Shape, SmoothTriangle, Sphere, Triangle,
+    Vertex,
 };
-pub use texture::{Checker, Texture, Vertices};
+pub use texture::{
+    Bitmap, Bump, Checker, Filter, Image, Procedural, Relief, Rings, Stripes, Texels, Texture, Vertices,
+};
 
 /// Runs the README's example as a test.
 #[cfg(doctest)]

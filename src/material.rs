@@ -3,8 +3,9 @@
 use crate::color::Rgb;
 use crate::fault::Fault;
 use crate::glass::Glass;
+use crate::hit::Surface;
 use crate::math::Scalar;
-use crate::texture::Texture;
+use crate::texture::{Bump, Texture};
 
 /// Names the reflection model of a [`Material`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +34,8 @@ pub enum Model {
 pub struct Material<S = f32> {
     /// Colour of the diffuse and ambient reflection.
     pub texture: Texture<S>,
+    /// Roughness that only light sees (row T2).
+    pub bump: Option<Bump<S>>,
     /// Reflection model.
     pub model: Model,
     /// Share of the scene's ambient light it reflects.
@@ -62,6 +65,7 @@ impl<S: Scalar> Material<S> {
     pub const fn textured(texture: Texture<S>) -> Self {
         Self {
             texture,
+            bump: None,
             model: Model::Phong,
             ambient: S::ONE,
             specular: Rgb::BLACK,
@@ -90,20 +94,42 @@ impl<S: Scalar> Material<S> {
         self
     }
 
+    /// Adds bumps.
+    pub const fn with_bump(mut self, bump: Bump<S>) -> Self {
+        self.bump = Some(bump);
+        self
+    }
+
     /// Sets the share of the scene's ambient light.
     pub const fn with_ambient(mut self, share: S) -> Self {
         self.ambient = share;
         self
     }
 
+    /// Tells whether what it looks like depends on texture coordinates.
+    pub fn is_detailed(&self) -> bool {
+        self.texture.is_varied() || self.bump.is_some()
+    }
+
+    /// Answers a number of the tile of the texture and of the bumps at a hit: neighbouring tiles have
+    /// different ones.
+    pub fn tile(&self, surface: &Surface<S>) -> u32 {
+        let bump = self.bump.as_ref().map_or(0, |bump| bump.image.tile(surface.u, surface.v));
+        self.texture.tile(surface) ^ bump.rotate_left(8)
+    }
+
     /// Tells what is wrong with the material, if anything.
     ///
     /// # Errors
-    /// A value that no scene may contain, or a mirror or glass that gives more light than it gets.
+    /// A value that no scene may contain, an image without texels or too large, or a mirror or glass that
+    /// gives more light than it gets.
     pub fn check(&self) -> Result<(), Fault> {
         let usable = self.texture.in_range() && self.ambient.in_range() && self.specular.in_range();
-        if !usable {
+        let images = [self.texture.image(), self.bump.as_ref().map(|bump| &bump.image)];
+        if !usable || self.bump.is_some_and(|bump| !bump.in_range()) {
             Err(Fault::OutOfRange)
+        } else if images.into_iter().flatten().any(|image| !image.bitmap.fits()) {
+            Err(Fault::ImageSize)
         } else if self.mirror >= S::ZERO && self.mirror <= S::ONE {
             self.glass.map_or(Ok(()), |glass| glass.check(self.mirror))
         } else {

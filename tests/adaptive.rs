@@ -1,5 +1,6 @@
 //! Pictures of which not every pixel is traced.
 
+use embedded_graphics::image::ImageRaw;
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{Gray8, Rgb565};
 use embedded_graphics::prelude::*;
@@ -163,6 +164,19 @@ fn nothing_is_filled_in_across_two_tiles() {
     let [exact, adaptive] = row_before(&[Object::new(Shape::Plane(WALL), 0)], &materials, &[]);
     assert!(exact.windows(2).filter(|pair| pair[0] != pair[1]).count() > 3);
     assert_eq!(exact, adaptive);
+}
+
+#[test]
+fn nothing_is_filled_in_across_two_texels() {
+    // Shades up to 1.6 steps of 5 bits apart, a texel to 1.3 columns.
+    static SHADES: ImageRaw<Gray8> = ImageRaw::new(&[185, 181, 186, 180, 184, 187, 180], 7);
+    for filter in [Filter::Nearest, Filter::Bilinear] {
+        let image = Image::new(Bitmap::new(&SHADES)).with_tiles(1.28, 1.0).with_filter(filter);
+        let materials = [Material::textured(Texture::Image(image))];
+        let [exact, adaptive] = row_before(&[Object::new(Shape::Plane(WALL), 0)], &materials, &[]);
+        assert!(exact.windows(2).filter(|pair| pair[0] != pair[1]).count() > 20);
+        assert_eq!(exact, adaptive, "{filter:?}");
+    }
 }
 
 #[test]

@@ -5,9 +5,10 @@ mod support;
 use embedded_graphics::pixelcolor::Gray8;
 use embedded_graphics::prelude::Size;
 use scanray::{
-    Camera, CameraError, Checker, Cone, Cuboid, Fault, FillRule, Fixed, Full, Light, Material, Object, Plane,
-    Polygon, Projection, Renderer, Rgb, Scene, SceneBuffer, SceneError, Settings, Shape, Sky, SmoothTriangle,
-    Sphere, Texture, Triangle, Vec3, Vertex, Vertices, Workspace,
+    Bitmap, Bump, Camera, CameraError, Checker, Cone, Cube, Cuboid, Displaced, Fault, FillRule, Fixed, Full,
+    Image, Intersect, Light, Material, Object, Plane, Polygon, Projection, Renderer, Rgb, Scene, SceneBuffer,
+    SceneError, Settings, Shape, Sky, SmoothTriangle, Sphere, Texels, Texture, Triangle, Vec3, Vertex,
+    Vertices, Workspace,
 };
 use support::{LIGHTS, MATERIALS, OBJECTS, ball, camera, scene, v};
 
@@ -142,6 +143,40 @@ fn faults_of_materials_lights_sky_and_ambient_light_are_named() {
     assert_eq!(sky(v(0.0, 2.0, 0.0)), SceneError::Sky(Fault::NoDirection));
     assert_eq!(check(scene().with_sky(Sky::Solid(nan))), SceneError::Sky(Fault::OutOfRange));
     assert_eq!(check(scene().with_ambient(nan)), SceneError::Ambient(Fault::OutOfRange));
+}
+
+/// Is an image of any size, without content.
+struct Blank([u32; 2]);
+
+impl Texels for Blank {
+    fn size(&self) -> [u32; 2] {
+        self.0
+    }
+
+    fn texel(&self, _: u32, _: u32) -> [u8; 3] {
+        [0; 3]
+    }
+}
+
+#[test]
+fn images_without_texels_and_too_large_ones_are_refused_wherever_they_are() {
+    static BLANKS: [Blank; 4] = [Blank([2048, 1]), Blank([2049, 1]), Blank([0, 5]), Blank([5, 0])];
+    static FINE: [Bitmap; 6] = [Bitmap::new(&BLANKS[0]); 6];
+    let [fine, bad @ ..] = [0, 1, 2, 3].map(|i| Image::new(Bitmap::new(&BLANKS[i])));
+    let textured = |image| Material::textured(Texture::Image(image)).check();
+    let bumpy = |image| Material::matte(Rgb::WHITE).with_bump(Bump::heights(image, 0.1)).check();
+    let moved = |image, height| Displaced::new(Sphere::new(v(0.0, 0.0, 0.0), 1.0), image, height).check();
+    assert_eq!((textured(fine), bumpy(fine), moved(fine, 0.1)), (Ok(()), Ok(()), Ok(())));
+    for image in bad {
+        assert_eq!([textured(image), bumpy(image), moved(image, 0.1)], [Err(Fault::ImageSize); 3]);
+        let faces: &[Bitmap; 6] =
+            Box::leak(Box::new([FINE[0], FINE[0], FINE[0], FINE[0], image.bitmap, FINE[0]]));
+        let sky = scene().with_sky(Sky::Cube(Cube::new(faces)));
+        assert_eq!(sky.check(), Err(SceneError::Sky(Fault::ImageSize)));
+    }
+    assert_eq!(scene().with_sky(Sky::Cube(Cube::new(&FINE))).check(), Ok(()));
+    assert_eq!(textured(fine.with_tiles(f32::NAN, 1.0)), Err(Fault::OutOfRange));
+    assert_eq!(moved(fine, -0.1), Err(Fault::OutOfRange));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The number types keep the error bounds their documentation states, on both sides.
 
-use scanray::math::{FixedWide, Scalar, Wide, tan_half};
+use scanray::math::{FixedWide, Scalar, Wide, tan_half, turns};
 use scanray::{Fixed, Vec3};
 
 const STEP: f64 = 1.0 / 1_048_576.0;
@@ -307,4 +307,58 @@ fn light_of_all_numbers_becomes_the_same_integers() {
     }
     assert_eq!(1.0_f64.light_bits(), 1 << 24);
     assert_eq!(f32::NAN.light_bits(), 0);
+}
+
+/// Answers the largest difference of angles from those of the standard library, all round the circle.
+fn errors_of_turns<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) -> impl Iterator<Item = f64> {
+    (0..200_000).map(move |i| {
+        let angle = (f64::from(i) + 0.5) / 200_000.0;
+        let (y, x) = (angle * std::f64::consts::TAU).sin_cos();
+        let (y, x) = (make(y), make(x));
+        let exact = read(y).atan2(read(x)) / std::f64::consts::TAU;
+        read(turns(y, x)) - exact.rem_euclid(1.0)
+    })
+}
+
+#[test]
+fn angles_are_right_all_round_the_circle() {
+    worst_error(3e-6, errors_of_turns(Fixed::new, Fixed::to_f64));
+    worst_error(2e-7, errors_of_turns(|x| x as f32, f64::from));
+    worst_error(4e-16, errors_of_turns(|x| x, |x| x));
+}
+
+#[test]
+fn the_angles_of_the_axes_are_quarters_in_every_number() {
+    fn check<S: Scalar>() {
+        let quarter = S::HALF * S::HALF;
+        let (zero, one) = (S::ZERO, S::ONE);
+        let axes = [(zero, one), (one, zero), (zero, -one), (-one, zero), (one, one), (zero, zero)];
+        let eighth = quarter * S::HALF;
+        let expected = [zero, quarter, S::HALF, S::HALF + quarter, eighth, zero];
+        assert_eq!(axes.map(|(y, x)| turns(y, x)), expected);
+    }
+    check::<f32>();
+    check::<Fixed>();
+    check::<f64>();
+}
+
+#[test]
+fn a_fraction_is_what_lies_above_the_whole_number_below_and_never_reaches_one() {
+    for x in [0.0, 0.25, 3.75, -0.25, -3.0, -1023.5] {
+        let exact = x - f64::floor(x);
+        assert_eq!(f64::from(<f32 as Scalar>::fract(x as f32)), exact);
+        assert_eq!(Fixed::fract(wide(Fixed::new(x))).to_f64(), exact);
+        assert_eq!(<f64 as Scalar>::fract(x), exact);
+    }
+    assert_eq!(<f32 as Scalar>::fract(-1e-12), <f32 as Scalar>::BELOW_ONE);
+    assert!(<f32 as Scalar>::fract(1e18) < 1.0);
+}
+
+#[test]
+fn light_goes_to_bits_and_back() {
+    for bits in [0, 1 << 4, 12_345 << 4, 1 << 24] {
+        assert_eq!(<f32 as Scalar>::from_light_bits(bits).light_bits(), bits);
+        assert_eq!(Fixed::from_light_bits(bits).light_bits(), bits);
+        assert_eq!(<f64 as Scalar>::from_light_bits(bits).light_bits(), bits);
+    }
 }

@@ -7,15 +7,20 @@ use std::{fs, io};
 const DOOR: &str = "description.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 15] = [
+const DATA: [&str; 20] = [
+    "Bitmap",
+    "Bump",
     "Camera",
     "Dither",
     "FillRule",
+    "Filter",
+    "Image",
     "Light",
     "Material",
     "Model",
     "Object",
     "Projection",
+    "Relief",
     "Rgb",
     "Scene",
     "Settings",
@@ -26,8 +31,9 @@ const DATA: [&str; 15] = [
 ];
 const ALSO_DATA: &str = "Vec3";
 
-/// Lists the methods the door may call: those of slices, options and iterators.
-const METHODS: [&str; 5] = ["collect", "get", "iter", "map", "ok_or"];
+/// Lists the methods the door may call: those of slices, options and iterators, and those of an image
+/// that read its texels out.
+const METHODS: [&str; 7] = ["collect", "get", "iter", "map", "ok_or", "size", "texel"];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this
 /// test.

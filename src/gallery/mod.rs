@@ -62,10 +62,14 @@ macro_rules! with_helpers {
 
 use {in_every_number, with_helpers};
 
+mod bump;
 mod business_card;
 mod c_ray;
+mod displaced;
+mod environment;
 mod first_light;
 mod glass;
+mod images;
 mod mirror_levels;
 mod orthographic;
 mod playdate;
@@ -73,6 +77,7 @@ mod simple;
 mod smooth;
 mod stars;
 mod still_life;
+mod textured;
 mod three_spheres;
 mod tinyraytracer;
 mod z_buffer;
@@ -109,8 +114,11 @@ macro_rules! gallery_of {
     ($module:ident, $number:ty, $about:literal) => {
         #[doc = $about]
         pub mod $module {
+            pub use super::bump::$module::VIEW as BUMP;
             pub use super::business_card::$module::VIEW as BUSINESS_CARD;
             pub use super::c_ray::$module::VIEW as C_RAY;
+            pub use super::displaced::$module::VIEW as DISPLACED;
+            pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::glass::$module::VIEW as GLASS;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
@@ -120,6 +128,7 @@ macro_rules! gallery_of {
             pub use super::smooth::$module::VIEW as SMOOTH;
             pub use super::stars::$module::VIEW as STARS;
             pub use super::still_life::$module::VIEW as STILL_LIFE;
+            pub use super::textured::$module::VIEW as TEXTURED;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
             pub use super::z_buffer::$module::VIEW as Z_BUFFER;
@@ -140,6 +149,10 @@ macro_rules! gallery_of {
                 STILL_LIFE,
                 SMOOTH,
                 Z_BUFFER,
+                TEXTURED,
+                BUMP,
+                DISPLACED,
+                ENVIRONMENT,
             ];
         }
 

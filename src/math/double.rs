@@ -19,5 +19,5 @@ float_scalar! {
     ///
     /// Error bounds, relative: roots and unit vectors 1e-15, [`Scalar::pow_unit`](super::Scalar::pow_unit)
     /// `exponent` * 2e-16; `recip` and `div` are correctly rounded.
-    f64, skin: 1e-9, shortest_square: 1e-60, pi: core::f64::consts::PI
+    f64, skin: 1e-9, shortest_square: 1e-60, pi: core::f64::consts::PI, arctangent_terms: 11
 }

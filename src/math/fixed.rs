@@ -3,6 +3,7 @@
 //! 20 bits behind the point make a step of 1e-6: a ray of unit length that is half a step off
 //! lands 5e-4 off at a distance of 1000. 12 bits before it reach 2048.
 
+use super::azimuth::{Arctangent, series};
 use super::scalar::Scalar;
 use super::steps::{self, FRACTION_BITS};
 use super::vec3::Vec3;
@@ -118,6 +119,13 @@ impl Scalar for Fixed {
     // The difference of two such coordinates still fits; a length may not, and counts as FAR.
     const LIMIT: Self = Self::new(1024.0);
     const SKIN: Self = Self::new(1.0 / 1024.0);
+    const ARCTANGENT: Arctangent<Self> = Arctangent {
+        sixteenth: Self::new(core::f64::consts::SQRT_2 - 1.0),
+        series: &{
+            let [a, b, c, d] = series::<4>();
+            [Self::new(a), Self::new(b), Self::new(c), Self::new(d)]
+        },
+    };
 
     fn from_i32(n: i32) -> Self {
         Self(I12F20::saturating_from_num(n))
@@ -176,6 +184,11 @@ impl Scalar for Fixed {
         (wide.bits() >> (2 * FRACTION_BITS)) as i32
     }
 
+    #[inline]
+    fn fract(wide: FixedWide) -> Self {
+        Self::of((wide.bits() >> FRACTION_BITS) as i32 & ((1 << FRACTION_BITS) - 1))
+    }
+
     fn pow_unit(self, exponent: u16) -> Self {
         if self >= Self::ONE || exponent == 0 {
             return Self::ONE;
@@ -216,6 +229,10 @@ impl Scalar for Fixed {
 
     fn light_bits(self) -> u32 {
         (self.bits().clamp(0, (1 << 27) - 1) as u32) << 4
+    }
+
+    fn from_light_bits(bits: u32) -> Self {
+        Self::of((bits.min(1 << 24) >> 4) as i32)
     }
 
     fn in_range(self) -> bool {

@@ -17,7 +17,13 @@ fn rsqrt(x: f32) -> f32 {
 
 /// Implements the number traits for a float, by the `rsqrt` in scope.
 macro_rules! float_scalar {
-    ($(#[$about:meta])* $float:ty, skin: $skin:expr, shortest_square: $shortest:expr, pi: $pi:expr) => {
+    (
+        $(#[$about:meta])* $float:ty,
+        skin: $skin:expr,
+        shortest_square: $shortest:expr,
+        pi: $pi:expr,
+        arctangent_terms: $terms:expr
+    ) => {
         impl $crate::math::Wide for $float {
             const ZERO: Self = 0.0;
 
@@ -44,6 +50,19 @@ macro_rules! float_scalar {
             // Three squares of a difference of two such coordinates are 1.2e33, and f32 ends at 3.4e38.
             const LIMIT: Self = 1e16;
             const SKIN: Self = $skin;
+            const ARCTANGENT: $crate::math::Arctangent<Self> = $crate::math::Arctangent {
+                sixteenth: (core::f64::consts::SQRT_2 - 1.0) as $float,
+                series: &{
+                    let exact = $crate::math::azimuth::series::<$terms>();
+                    let mut rounded = [0.0; $terms];
+                    let mut k = 0;
+                    while k < $terms {
+                        rounded[k] = exact[k] as $float;
+                        k += 1;
+                    }
+                    rounded
+                },
+            };
 
             fn from_i32(n: i32) -> Self {
                 n as $float
@@ -84,6 +103,12 @@ macro_rules! float_scalar {
             fn floor(wide: $float) -> i32 {
                 let whole = wide as i32;
                 if (whole as $float) > wide { whole.saturating_sub(1) } else { whole }
+            }
+
+            fn fract(wide: $float) -> Self {
+                let above = wide - <Self as $crate::math::Scalar>::floor(wide) as $float;
+                // Just below a whole number the difference rounds to 1; beyond 2^31 it is no fraction.
+                $crate::math::Scalar::min($crate::math::Scalar::max(above, 0.0), Self::BELOW_ONE)
             }
 
             fn pow_unit(self, exponent: u16) -> Self {
@@ -143,6 +168,10 @@ macro_rules! float_scalar {
                 (self * 16_777_216.0) as u32
             }
 
+            fn from_light_bits(bits: u32) -> Self {
+                bits as $float * (1.0 / 16_777_216.0)
+            }
+
             fn abs(self) -> Self {
                 // One instruction where there is a floating-point unit; a comparison takes five.
                 <$float>::abs(self)
@@ -164,5 +193,5 @@ float_scalar! {
     /// [`Scalar::normalize`](super::Scalar::normalize) 4e-7,
     /// [`Scalar::pow_unit`](super::Scalar::pow_unit) `exponent` * 6e-8 + 1e-7; `recip` and `div` are
     /// correctly rounded; [`Scalar::exp_neg`](super::Scalar::exp_neg) 2e-7 + x * 1e-7.
-    f32, skin: 1.0 / 1024.0, shortest_square: 1e-30, pi: core::f32::consts::PI
+    f32, skin: 1.0 / 1024.0, shortest_square: 1e-30, pi: core::f32::consts::PI, arctangent_terms: 5
 }

@@ -4,6 +4,7 @@
 //! floating-point unit, [`Fixed`] those without, `f64` measures what the other two round away.
 
 mod angle;
+mod azimuth;
 mod float;
 
 mod double;
@@ -25,6 +26,7 @@ mod units;
 mod vec3;
 
 pub use angle::tan_half;
+pub use azimuth::{Arctangent, turns};
 pub use fixed::Fixed;
 pub use scalar::{Scalar, Wide};
 pub use units::Units;

@@ -1,3 +1,4 @@
+use super::azimuth::Arctangent;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -47,6 +48,8 @@ pub trait Scalar:
     const LIMIT: Self;
     /// Is how far a ray travels from a user's own shape before it may hit that shape again.
     const SKIN: Self;
+    /// Holds what [`turns`](super::turns) finds angles by.
+    const ARCTANGENT: Arctangent<Self>;
 
     /// Converts a small whole number; saturates.
     fn from_i32(n: i32) -> Self;
@@ -82,6 +85,8 @@ pub trait Scalar:
     fn recip(self) -> Self;
     /// Rounds a wide value down to a whole number; saturates.
     fn floor(wide: Self::Wide) -> i32;
+    /// Answers what a wide value is above the whole number below it, from 0 to below 1.
+    fn fract(wide: Self::Wide) -> Self;
     /// Raises a value of [0, 1] to a whole power by repeated squaring.
     fn pow_unit(self, exponent: u16) -> Self;
     /// Answers exp(-self); 1 for what is below 0.
@@ -94,6 +99,8 @@ pub trait Scalar:
     }
     /// Converts light to an integer: 0 is none, 2^24 is 1, more light is more; rounds down, saturates.
     fn light_bits(self) -> u32;
+    /// Converts an integer to light, the way back from [`Self::light_bits`], for at most 2^24.
+    fn from_light_bits(bits: u32) -> Self;
     /// Tells whether a scene may contain this value: a number, no larger than [`Self::LIMIT`].
     fn in_range(self) -> bool;
 

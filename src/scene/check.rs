@@ -5,6 +5,7 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::math::Scalar;
 use crate::shape::Intersect;
+use crate::texture::Bitmap;
 use core::fmt;
 
 /// Names the thing of a scene that is wrong, by its place in its list, and the fault.
@@ -64,6 +65,13 @@ fn check_sky<S: Scalar>(sky: &Sky<S>) -> Result<(), Fault> {
         Sky::Gradient { up, nadir, zenith } => {
             in_range(up.in_range() && nadir.in_range() && zenith.in_range())?;
             if up.is_unit() { Ok(()) } else { Err(Fault::NoDirection) }
+        }
+        Sky::Cube(cube) => {
+            if cube.faces.iter().all(Bitmap::fits) {
+                Ok(())
+            } else {
+                Err(Fault::ImageSize)
+            }
         }
     }
 }

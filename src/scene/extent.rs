@@ -22,6 +22,9 @@ fn brightest_of_texture<S: Scalar>(texture: &Texture<S>) -> S {
         Texture::Vertices(vertices) => {
             vertices.colors.iter().fold(S::ZERO, |most, color| most.max(color.max()))
         }
+        Texture::Stripes(stripes) => stripes.even.max().max(stripes.odd.max()),
+        Texture::Rings(rings) => rings.even.max().max(rings.odd.max()),
+        Texture::Image(_) | Texture::Custom(_) => S::ONE,
     }
 }
 
@@ -53,6 +56,7 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
                 let Rgb { r, g, b } = zenith;
                 Rgb::new(nadir.r.max(r), nadir.g.max(g), nadir.b.max(b))
             }
+            Sky::Cube(_) => Rgb::WHITE,
         };
         self.materials.iter().map(sent).fold(sky.max(), S::max)
     }

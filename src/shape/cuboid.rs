@@ -1,7 +1,7 @@
 use super::Intersect;
 use crate::aabb::Aabb;
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -128,6 +128,20 @@ impl<S: Scalar> Intersect<S> for Cuboid<S> {
             _ => (x(), y()),
         };
         Surface { point, normal, u, v, part: found.part }
+    }
+
+    /// Along the two axes of the face, in order, its whole extent to a unit.
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        let along = |direction: Vec3<S>, length: S| Tangent { direction, length };
+        let extent = self.high - self.low;
+        let x = along(Vec3::new(S::ONE, S::ZERO, S::ZERO), extent.x);
+        let y = along(Vec3::new(S::ZERO, S::ONE, S::ZERO), extent.y);
+        let z = along(Vec3::new(S::ZERO, S::ZERO, S::ONE), extent.z);
+        match surface.part {
+            0 | 1 => [y, z],
+            2 | 3 => [x, z],
+            _ => [x, y],
+        }
     }
 
     fn is_convex(&self) -> bool {

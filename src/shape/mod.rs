@@ -6,6 +6,8 @@
 mod called;
 mod cone;
 mod cuboid;
+mod displaced;
+mod march;
 mod plane;
 mod polygon;
 mod smooth;
@@ -14,6 +16,7 @@ mod triangle;
 
 pub use cone::Cone;
 pub use cuboid::Cuboid;
+pub use displaced::Displaced;
 pub use plane::Plane;
 pub use polygon::{FillRule, Polygon};
 pub use smooth::{SmoothTriangle, Vertex};
@@ -21,7 +24,7 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
@@ -43,6 +46,21 @@ pub trait Intersect<S: Scalar> {
 
     /// Works out the surface at a crossing that [`Intersect::intersect`] found for the same ray.
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S>;
+
+    /// Answers the texture coordinates of a surface that [`Intersect::surface`] worked out.
+    ///
+    /// Asked only where a texture or bumps want them: a shape whose coordinates take long to find
+    /// finds them here.
+    fn texture_coordinates(&self, surface: &Surface<S>) -> [S; 2] {
+        [surface.u, surface.v]
+    }
+
+    /// Answers the ways along which u and v grow over a surface; asked only where there are bumps.
+    ///
+    /// The default is that of coordinates which are those of the world, as on a [`Plane`].
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        plane::tangents(surface.normal)
+    }
 
     /// Tells whether the shape stands anywhere inside the interval: all that a shadow asks.
     ///
@@ -88,6 +106,8 @@ pub enum Shape<S: 'static = f32, X = Infallible> {
     Cone(Cone<S>),
     /// A triangle lit as a piece of a curved surface.
     SmoothTriangle(SmoothTriangle<S>),
+    /// A ball with a relief.
+    Displaced(Displaced<S>),
     /// The user's own shape.
     Custom(X),
 }
@@ -103,6 +123,7 @@ macro_rules! dispatch {
             $crate::shape::Shape::Polygon($inner) => $call,
             $crate::shape::Shape::Cone($inner) => $call,
             $crate::shape::Shape::SmoothTriangle($inner) => $call,
+            $crate::shape::Shape::Displaced($inner) => $call,
             $crate::shape::Shape::Custom($inner) => $call,
         }
     };
@@ -121,6 +142,14 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
 
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
         dispatch!(self, shape => shape.surface(ray, crossing))
+    }
+
+    fn texture_coordinates(&self, surface: &Surface<S>) -> [S; 2] {
+        dispatch!(self, shape => shape.texture_coordinates(surface))
+    }
+
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        dispatch!(self, shape => shape.tangents(surface))
     }
 
     fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {

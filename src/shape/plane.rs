@@ -1,6 +1,6 @@
 use super::Intersect;
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
@@ -80,6 +80,23 @@ fn flatten<S: Scalar>(point: Vec3<S>, normal: Vec3<S>) -> (S, S) {
         (point.y, point.z)
     } else {
         (point.x, point.y)
+    }
+}
+
+/// Answers the ways along which the coordinates of [`flatten`] grow on a plane of a unit normal.
+///
+/// One coordinate of the world grows, one stays, and the hidden one follows: `n.(dp) = 0`.
+#[inline(never)]
+pub(super) fn tangents<S: Scalar>(normal: Vec3<S>) -> [Tangent<S>; 2] {
+    let Vec3 { x: a, y: b, z: c } = normal;
+    let (x, y, z) = (a.abs(), b.abs(), c.abs());
+    let along = |x, y, z| Tangent::along(Vec3::new(x, y, z));
+    if y >= x && y >= z {
+        [along(S::ONE, -a.ratio(b), S::ZERO), along(S::ZERO, -c.ratio(b), S::ONE)]
+    } else if x >= z {
+        [along(-b.ratio(a), S::ONE, S::ZERO), along(-c.ratio(a), S::ZERO, S::ONE)]
+    } else {
+        [along(S::ONE, S::ZERO, -a.ratio(c)), along(S::ZERO, S::ONE, -b.ratio(c))]
     }
 }
 

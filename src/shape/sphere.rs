@@ -1,15 +1,19 @@
 use super::Intersect;
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
-use crate::math::{Scalar, Vec3, Wide};
+use crate::math::{Scalar, Vec3, Wide, turns};
 use crate::ray::{Interval, Ray};
 
 /// Is a ball: the points with `|p - center| = radius`.
 ///
 /// With `b = d.(c - o)` and `h^2 = r^2 - |(c - o) - b d|^2` a ray of unit direction crosses it at
 /// `b - h` and `b + h` (the form of Haines, Günther and Akenine-Möller 2019, in *Ray Tracing Gems*,
-/// that does not subtract two large squares; row O1). It has no texture coordinates.
+/// that does not subtract two large squares; row O1).
+///
+/// Texture coordinates are `u = 1 - phi / 2 pi` and `v = 1 - theta / pi` (row T1), where
+/// `tan phi = z / x` and `tan theta = sqrt(x^2 + z^2) / y` for the normal (x, y, z): v runs from the
+/// pole at low y to that at high y, u eastward, so that an image reads right from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<S = f32> {
     /// Middle of the ball.
@@ -26,6 +30,15 @@ impl<S> Sphere<S> {
 }
 
 impl<S: Scalar> Sphere<S> {
+    /// Answers the two distances at which a ray's line crosses the ball.
+    pub(super) fn chord(&self, ray: &Ray<S>) -> Option<[S; 2]> {
+        let to_center = self.center - ray.origin;
+        let b = to_center.dot(ray.direction);
+        let square = if b >= S::FAR { None } else { self.square_of_half_chord(ray, to_center, b) };
+        let h = S::sqrt(square?);
+        Some([b - h, b + h])
+    }
+
     /// Answers h^2 of a ray that passes the middle at distance `b`; `None` where it misses.
     ///
     /// Most rays miss, and most of these by more than the radius along a single axis: that is seen
@@ -53,6 +66,29 @@ impl<S: Scalar> Sphere<S> {
         let rest = square() - across.dot_wide(across);
         (rest >= S::Wide::ZERO).then_some(rest)
     }
+}
+
+/// Answers the texture coordinates of a direction from the middle of a ball, of unit length: from 0 to
+/// below 1.
+#[inline(never)]
+pub(super) fn coordinates<S: Scalar>(direction: Vec3<S>) -> [S; 2] {
+    let Vec3 { x, y, z } = direction;
+    let from_axis = S::sqrt(x.mul_wide(x) + z.mul_wide(z));
+    // Theta in turns is at most 1/2.
+    let theta = turns(from_axis, y);
+    [S::ONE - turns(z, x), S::ONE - (theta + theta)].map(|share| share.min(S::BELOW_ONE))
+}
+
+/// Answers the ways along which the texture coordinates grow at a direction from the middle, so far
+/// out: `dp/du` is `2 pi r (z, 0, -x)`, `dp/dv` is `pi r` toward the upper pole.
+#[inline(never)]
+pub(super) fn tangents<S: Scalar>(direction: Vec3<S>, radius: S) -> [Tangent<S>; 2] {
+    let Vec3 { x, z, .. } = direction;
+    let half_circle = S::PI * radius;
+    let east = Tangent::along(Vec3::new(z, S::ZERO, -x));
+    let length = (half_circle + half_circle) * east.length;
+    let north = direction.cross(east.direction);
+    [Tangent { length, ..east }, Tangent { direction: north, length: half_circle }]
 }
 
 impl<S: Scalar> Intersect<S> for Sphere<S> {
@@ -117,6 +153,15 @@ impl<S: Scalar> Intersect<S> for Sphere<S> {
             v: S::ZERO,
             part: 0,
         }
+    }
+
+    fn texture_coordinates(&self, surface: &Surface<S>) -> [S; 2] {
+        coordinates(surface.normal)
+    }
+
+    /// In fixed point lengths end at 2048: bumps on balls of a radius above 326 come out too steep.
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        tangents(surface.normal, self.radius)
     }
 
     fn is_convex(&self) -> bool {

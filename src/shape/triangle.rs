@@ -1,12 +1,12 @@
 use super::Intersect;
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
 
 /// Is a triangle, seen from both sides: the points `a + u (b - a) + v (c - a)` with `u`, `v` and
-/// `1 - u - v` in [0, 1].
+/// `1 - u - v` in [0, 1]; u and v are its texture coordinates.
 ///
 /// The test is that of Möller and Trumbore (1997; row O2): with edges e, f and s = o - a, the
 /// determinant `e.(d x f)` divides `s.(d x f)` into u and `s.(e x d)` into v. The distance is
@@ -84,6 +84,12 @@ impl<S: Scalar> Intersect<S> for Triangle<S> {
             v: crossing.v,
             part: 0,
         }
+    }
+
+    /// Along the edges from the first corner, each a unit long.
+    fn tangents(&self, _: &Surface<S>) -> [Tangent<S>; 2] {
+        let (e, f) = self.edges();
+        [Tangent::along(e), Tangent::along(f)]
     }
 
     fn is_convex(&self) -> bool {

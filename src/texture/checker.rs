@@ -2,8 +2,6 @@ use crate::color::Rgb;
 use crate::math::Scalar;
 
 /// Is a chessboard: tile (i, j) = floor((u, v) per_unit) is even where i + j is (row T5).
-///
-/// A sphere has no texture coordinates: all of it is the tile at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checker<S = f32> {
     /// Colour of the tile between the origin and (1, 1) tiles.

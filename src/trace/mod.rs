@@ -1,6 +1,7 @@
 //! Tracing: what a ray meets, how the surface is lit, where the light goes on.
 
 mod departure;
+mod detail;
 mod direct;
 mod lane;
 mod observer;

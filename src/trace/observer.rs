@@ -18,6 +18,9 @@ pub enum RayKind {
 ///
 /// `()` watches nothing and costs nothing.
 pub trait Observer {
+    /// Tells whether it looks at the tiles that [`Observer::met`] names: without, none is worked out.
+    const SEES_TILES: bool = true;
+
     /// Is told of each ray before it is traced.
     fn ray(&mut self, kind: RayKind);
 
@@ -35,6 +38,8 @@ pub trait Observer {
 }
 
 impl Observer for () {
+    const SEES_TILES: bool = false;
+
     fn ray(&mut self, _: RayKind) {}
 }
 
@@ -59,6 +64,8 @@ impl RayCounts {
 }
 
 impl Observer for RayCounts {
+    const SEES_TILES: bool = false;
+
     fn ray(&mut self, kind: RayKind) {
         match kind {
             RayKind::Primary => self.primary += 1,

@@ -1,4 +1,5 @@
 use super::departure::Departure;
+use super::detail::refine;
 use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
 use super::shade::{Shader, Site};
@@ -166,8 +167,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 Some((&object.shape, self.scene.materials.get(usize::from(object.material))?))
             });
             let Some((shape, material)) = found else {
-                run.iter().for_each(|lane| observer.met(lane.number, Lane::<S>::NOTHING, 0));
-                self.see_sky(level, run, light);
+                self.see_sky(level, run, light, observer);
                 continue;
             };
             if level < self.depth {
@@ -176,13 +176,20 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             }
             let eye = if level == 0 { self.eye } else { None };
             dispatch!(shape, shape => arrive(shape, eye, run));
-            self.visit(shape.is_convex(), material, level, run, light, observer);
+            if material.is_detailed() {
+                refine(shape, material, run);
+            }
+            // A bumpy normal may send a ray into its own shape.
+            let convex = shape.is_convex() && material.bump.is_none();
+            self.visit(convex, material, level, run, light, observer);
         }
         onward
     }
 
-    fn see_sky(&self, level: u8, lanes: &mut [Lane<S>], light: &mut [Rgb<S>]) {
+    fn see_sky<O: Observer>(&self, level: u8, lanes: &mut [Lane<S>], light: &mut [Rgb<S>], observer: &mut O) {
         for lane in lanes {
+            let tile = if O::SEES_TILES { self.scene.sky.tile(lane.ray.direction) } else { 0 };
+            observer.met(lane.number, Lane::<S>::NOTHING, tile);
             let sent = self.scene.sky.color(lane.ray.direction);
             self.add(level, lane, sent, light);
             lane.weight = Rgb::BLACK;
@@ -190,14 +197,14 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     }
 
     /// Lights places of one object, convex or not, and reflects the rays that have reached a mirror.
-    fn visit(
+    fn visit<O: Observer>(
         &mut self,
         convex: bool,
         material: &Material<S>,
         level: u8,
         lanes: &mut [Lane<S>],
         light: &mut [Rgb<S>],
-        observer: &mut impl Observer,
+        observer: &mut O,
     ) {
         let splits = material.glass.is_some() && level < self.depth;
         let reflects = !splits && material.mirror > S::ZERO && level < self.depth;
@@ -211,7 +218,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 surface.normal = -surface.normal;
             }
             let from = Departure { index: lane.met, free: outside && convex };
-            observer.met(lane.number, lane.met, tile(material, &surface));
+            let tile = if O::SEES_TILES { tile(material, &surface) } else { 0 };
+            observer.met(lane.number, lane.met, tile);
             let (distance, number) = (lane.interval.far, lane.number);
             let facing = slope.abs();
             let site =
@@ -255,7 +263,7 @@ pub(super) struct Onward {
 
 /// Answers a number of the part and the tile that a place belongs to.
 pub(super) fn tile<S: Scalar>(material: &Material<S>, surface: &Surface<S>) -> u32 {
-    material.texture.tile(surface) ^ u32::from(surface.part).rotate_right(3)
+    material.tile(surface) ^ u32::from(surface.part).rotate_right(3)
 }
 
 /// Answers the mirror direction, of unit length again so that rounding does not grow from bounce

@@ -1,6 +1,8 @@
 //! Displays that watch how they are drawn on, and small scenes.
 #![allow(dead_code, reason = "each test uses its part")]
 
+pub mod picture;
+
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use scanray::{Camera, Light, Material, Object, Plane, Rgb, Scene, Shape, Sphere, Vec3};

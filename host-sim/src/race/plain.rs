@@ -80,6 +80,7 @@ fn unwritable(shape: &Shape<f64>) -> Option<&'static str> {
         Shape::Polygon(_) => Some("polygons"),
         Shape::Cone(_) => Some("cones"),
         Shape::SmoothTriangle(_) => Some("smooth triangles"),
+        Shape::Displaced(_) => Some("reliefs"),
         Shape::Custom(none) => match *none {},
     }
 }
@@ -87,6 +88,12 @@ fn unwritable(shape: &Shape<f64>) -> Option<&'static str> {
 impl Finish {
     fn of(material: &Material<f64>, ambient: f64) -> Result<Self, Fault> {
         let Texture::Solid(color) = material.texture else { return Err(Fault::Unwritable("textures")) };
+        if material.glass.is_some() {
+            return Err(Fault::Unwritable("glass"));
+        }
+        if material.bump.is_some() {
+            return Err(Fault::Unwritable("bumps"));
+        }
         if material.model != Model::Phong {
             return Err(Fault::Unwritable("surfaces that ask for no light"));
         }

@@ -1,11 +1,14 @@
 //! The door: copies a scene's plain data out of the core's types. Nothing is calculated here.
 
 use super::cone::Cone;
+use super::displaced::Displaced;
 use super::glass::{Glass, Turning};
+use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
 use crate::panel::Panel;
 use std::fmt;
+use std::sync::Arc;
 
 /// Tells that a description holds something the reference has no formula for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +45,7 @@ pub(super) struct Object {
 
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
+    Displaced(Displaced),
     Sphere { center: Vector, radius: f64 },
     Plane { point: Vector, normal: Vector },
     Triangle { corners: [Vector; 3] },
@@ -51,9 +55,10 @@ pub(super) enum Shape {
     Smooth(Smooth),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Material {
     pub texture: Texture,
+    pub bump: Option<Bump>,
     pub lit: bool,
     pub ambient: f64,
     pub specular: Vector,
@@ -62,11 +67,20 @@ pub(super) struct Material {
     pub glass: Option<Glass>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
+pub(super) enum Bump {
+    Heights { image: Image, height: f64 },
+    Normals { image: Image },
+}
+
+#[derive(Clone, Debug)]
 pub(super) enum Texture {
     Solid(Vector),
     Checker { even: Vector, odd: Vector, per_unit: f64 },
     Vertices([Vector; 3]),
+    Stripes { even: Vector, odd: Vector, per_unit: [f64; 2] },
+    Rings { even: Vector, odd: Vector, center: [f64; 2], per_unit: f64 },
+    Image(Image),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -75,10 +89,11 @@ pub(super) enum Light {
     Directional { toward: Vector, color: Vector },
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Sky {
     Solid(Vector),
     Gradient { up: Vector, nadir: Vector, zenith: Vector },
+    Cube { faces: [Arc<Raster>; 6], smooth: bool },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -118,6 +133,32 @@ fn light(c: &scanray::Rgb<f64>) -> Vector {
     Vector([c.r, c.g, c.b])
 }
 
+fn raster(bitmap: &scanray::Bitmap) -> Arc<Raster> {
+    let [columns, rows] = bitmap.size();
+    let row = |row: u32| (0..columns).map(|column| bitmap.texel([column, row])).collect();
+    Arc::new(Raster { rows: (0..rows).map(row).collect() })
+}
+
+fn image(image: &scanray::Image<f64>) -> Image {
+    let smooth = is_smooth(image.filter);
+    Image { raster: raster(&image.bitmap), per_unit: image.per_unit, smooth }
+}
+
+fn is_smooth(filter: scanray::Filter) -> bool {
+    match filter {
+        scanray::Filter::Nearest => false,
+        scanray::Filter::Bilinear => true,
+    }
+}
+
+fn bump(bump: &scanray::Bump<f64>) -> Result<Bump, Unknown> {
+    match bump.relief {
+        scanray::Relief::Heights(height) => Ok(Bump::Heights { image: image(&bump.image), height }),
+        scanray::Relief::Normals => Ok(Bump::Normals { image: image(&bump.image) }),
+        _ => Err(Unknown("relief")),
+    }
+}
+
 fn shape(shape: &scanray::Shape<f64>) -> Shape {
     match shape {
         scanray::Shape::Sphere(s) => Shape::Sphere { center: vector(&s.center), radius: s.radius },
@@ -144,6 +185,12 @@ fn shape(shape: &scanray::Shape<f64>) -> Shape {
                 coordinates: [a.texture, b.texture, c.texture],
             })
         }
+        scanray::Shape::Displaced(d) => Shape::Displaced(Displaced {
+            center: vector(&d.ball.center),
+            radius: d.ball.radius,
+            relief: image(&d.relief),
+            height: d.height,
+        }),
         scanray::Shape::Custom(none) => match *none {},
     }
 }
@@ -158,6 +205,14 @@ fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
             let [a, b, c] = &v.colors;
             Ok(Texture::Vertices([a, b, c].map(light)))
         }
+        scanray::Texture::Stripes(s) => {
+            Ok(Texture::Stripes { even: light(&s.even), odd: light(&s.odd), per_unit: s.per_unit })
+        }
+        scanray::Texture::Rings(r) => {
+            let (even, odd) = (light(&r.even), light(&r.odd));
+            Ok(Texture::Rings { even, odd, center: r.center, per_unit: r.per_unit })
+        }
+        scanray::Texture::Image(i) => Ok(Texture::Image(image(i))),
         _ => Err(Unknown("texture")),
     }
 }
@@ -182,7 +237,8 @@ fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
     let (specular, shininess) = (light(&material.specular), material.shininess);
     let (ambient, mirror) = (material.ambient, material.mirror);
     let (texture, glass) = (texture(&material.texture)?, material.glass.as_ref().map(glass).transpose()?);
-    Ok(Material { texture, lit, ambient, specular, shininess, mirror, glass })
+    let bump = material.bump.as_ref().map(bump).transpose()?;
+    Ok(Material { texture, bump, lit, ambient, specular, shininess, mirror, glass })
 }
 
 fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
@@ -197,12 +253,19 @@ fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
     }
 }
 
+/// Lists the faces of a cube.
+const FACES: [usize; 6] = [0, 1, 2, 3, 4, 5];
+
 fn sky(sky: &scanray::Sky<f64>) -> Result<Sky, Unknown> {
     match sky {
         scanray::Sky::Solid(color) => Ok(Sky::Solid(light(color))),
         scanray::Sky::Gradient { up, nadir, zenith } => {
             Ok(Sky::Gradient { up: vector(up), nadir: light(nadir), zenith: light(zenith) })
         }
+        scanray::Sky::Cube(cube) => Ok(Sky::Cube {
+            faces: FACES.map(|face| raster(&cube.faces[face])),
+            smooth: is_smooth(cube.filter),
+        }),
         _ => Err(Unknown("sky")),
     }
 }

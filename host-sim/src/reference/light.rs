@@ -1,4 +1,4 @@
-use super::description::{Description, Light, Material, Sky, Texture};
+use super::description::{Description, Light, Material};
 use super::shape::Ray;
 use super::trail::{Stop, Trail};
 use super::vector::Vector;
@@ -34,6 +34,12 @@ impl Light {
             Self::Directional { toward, color } => (toward, f64::INFINITY, color),
         }
     }
+}
+
+/// Answers a normal that looks to the viewer: one that looks away, mirrored at the line of sight.
+pub(super) fn toward(normal: Vector, to_eye: Vector) -> Vector {
+    let away = normal.inner(to_eye).min(0.0);
+    normal - to_eye * (2.0 * away)
 }
 
 impl Description {
@@ -81,16 +87,24 @@ impl Description {
         trail: &mut Trail,
     ) -> Vector {
         let Some(Arrival { object, part, point, way }) = arrival else {
-            return self.sky_light(ray.direction);
+            return self.sky.light(ray.direction);
         };
         let left = media.last().and_then(|index| self.objects[*index].material.glass);
         let left = left.map_or(Vector([1.0; 3]), |glass| glass.left_after(way));
         let shape = &self.objects[object].shape;
         let material = &self.objects[object].material;
-        let inside = shape.normal(point, part).inner(ray.direction) > 0.0;
-        let (color, tile) = material.texture.look(shape.texture_coordinates(point, part));
-        let (point, normal) = shape.lit(ray, point, part);
+        let outward = shape.normal(point, part);
+        let inside = outward.inner(ray.direction) > 0.0;
+        let coordinates = shape.texture_coordinates(point, part);
+        let (color, tile) = material.texture.look(coordinates);
         let to_eye = -ray.direction.unit();
+        let (lit_at, mut normal) = shape.lit(ray, point, part);
+        if let Some(bump) = &material.bump {
+            let turned = bump.turned(outward, shape.derivatives(point, part), coordinates);
+            let turned = if outward.inner(normal) < 0.0 { -turned } else { turned };
+            normal = toward(turned, to_eye);
+        }
+        let point = lit_at;
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
         let reached: Vec<bool> =
             self.lights.iter().map(|light| material.lit && self.reaches(light, &place)).collect();
@@ -144,16 +158,6 @@ impl Description {
         let reaching = self.lights.iter().zip(reached).filter(|(_, reached)| **reached);
         reaching.map(|(light, _)| place.reflected(light)).fold(ambient, |sum, light| sum + light)
     }
-
-    fn sky_light(&self, direction: Vector) -> Vector {
-        match self.sky {
-            Sky::Solid(color) => color,
-            Sky::Gradient { up, nadir, zenith } => {
-                let share = (1.0 + direction.unit().inner(up)) / 2.0;
-                nadir + (zenith - nadir) * share
-            }
-        }
-    }
 }
 
 impl Place<'_> {
@@ -166,20 +170,5 @@ impl Place<'_> {
         let toward_eye = mirrored.inner(self.to_eye);
         let shine = if toward_eye > 0.0 { toward_eye.powf(f64::from(self.material.shininess)) } else { 0.0 };
         color.filter(self.color * cosine + self.material.specular * shine)
-    }
-}
-
-impl Texture {
-    /// Answers the colour at texture coordinates, and the tile if there are tiles.
-    fn look(&self, [u, v]: [f64; 2]) -> (Vector, Option<[i64; 2]>) {
-        match *self {
-            Self::Solid(color) => (color, None),
-            Self::Checker { even, odd, per_unit } => {
-                let tile = [u, v].map(|coordinate| (coordinate * per_unit).floor() as i64);
-                let color = if (tile[0] + tile[1]).rem_euclid(2) == 0 { even } else { odd };
-                (color, Some(tile))
-            }
-            Self::Vertices([a, b, c]) => (a + (b - a) * u + (c - a) * v, None),
-        }
     }
 }

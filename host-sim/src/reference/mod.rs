@@ -12,14 +12,17 @@
 mod camera;
 mod cone;
 mod description;
+mod displaced;
 mod display;
 mod glass;
 mod light;
 mod matrix;
 mod outline;
 mod picture;
+mod raster;
 mod shape;
 mod smooth;
+mod texture;
 mod trail;
 mod vector;
 

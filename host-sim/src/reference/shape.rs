@@ -1,4 +1,6 @@
 use super::description::Shape;
+use super::displaced::{globe_coordinates, globe_derivatives};
+use super::light::toward;
 use super::outline::surrounds;
 use super::vector::Vector;
 
@@ -70,6 +72,7 @@ impl Shape {
     fn roots(&self, ray: &Ray) -> Vec<Root> {
         let whole = |t: f64| Root { t, part: 0 };
         match *self {
+            Self::Displaced(ref ball) => ball.roots(ray),
             Self::Sphere { center, radius } => {
                 let (v, from) = (ray.direction, ray.start - center);
                 let c = from.inner(from) - radius * radius;
@@ -98,6 +101,8 @@ impl Shape {
     fn roots_leaving(&self, ray: &Ray, part: u8) -> Vec<Root> {
         let mut roots = self.roots(ray);
         match *self {
+            // The start is the nearest root, unless rounding has put it beside the surface.
+            Self::Displaced(_) => roots.retain(|root| root.t.abs() * ray.direction.norm() > 1e-7),
             Self::Sphere { .. } => {
                 roots.sort_by(|a, b| b.t.abs().total_cmp(&a.t.abs()));
                 roots.truncate(1);
@@ -128,6 +133,7 @@ impl Shape {
     /// Answers a unit normal at a point of a part, outward where there is an outside.
     pub fn normal(&self, point: Vector, part: u8) -> Vector {
         match *self {
+            Self::Displaced(ref ball) => ball.normal(point),
             Self::Sphere { center, .. } => (point - center).unit(),
             Self::Plane { normal, .. } | Self::Polygon { normal, .. } => normal.unit(),
             Self::Triangle { corners: [a, b, c] } => (b - a).outer(c - a).unit(),
@@ -146,14 +152,43 @@ impl Shape {
         if let Self::Smooth(triangle) = self {
             return triangle.lit(ray, point);
         }
-        let normal = self.normal(point, part);
-        (point, if normal.inner(ray.direction) > 0.0 { -normal } else { normal })
+        let outward = self.normal(point, part);
+        if let Self::Displaced(_) = self {
+            // The part tells the side; an averaged normal may look away from it.
+            let normal = if part.is_multiple_of(2) { outward } else { -outward };
+            return (point, toward(normal, -ray.direction.unit()));
+        }
+        (point, if outward.inner(ray.direction) > 0.0 { -outward } else { outward })
+    }
+
+    /// Answers the derivatives of the point by the texture coordinates.
+    pub fn derivatives(&self, point: Vector, part: u8) -> [Vector; 2] {
+        let along = |axis: usize, length: f64| Vector::by_axis(|i| if i == axis { length } else { 0.0 });
+        match *self {
+            Self::Displaced(ref ball) => {
+                let from_center = point - ball.center;
+                globe_derivatives(from_center).map(|derivative| derivative * from_center.norm())
+            }
+            Self::Sphere { center, radius } => {
+                globe_derivatives(point - center).map(|derivative| derivative * radius)
+            }
+            Self::Triangle { corners: [a, b, c] } => [b - a, c - a],
+            Self::Cuboid { low, high } => {
+                others(usize::from(part / 2)).map(|axis| along(axis, high.0[axis] - low.0[axis]))
+            }
+            _ => {
+                let normal = self.normal(point, part);
+                let hidden = largest_axis(normal);
+                others(hidden).map(|axis| along(axis, 1.0) - along(hidden, normal.0[axis] / normal.0[hidden]))
+            }
+        }
     }
 
     /// Answers the texture coordinates of a point of a part.
     pub fn texture_coordinates(&self, point: Vector, part: u8) -> [f64; 2] {
         match *self {
-            Self::Sphere { .. } => [0.0, 0.0],
+            Self::Displaced(ref ball) => globe_coordinates(point - ball.center),
+            Self::Sphere { center, .. } => globe_coordinates(point - center),
             Self::Plane { normal, .. } | Self::Polygon { normal, .. } => {
                 leave_out(largest_axis(normal), point)
             }
@@ -178,11 +213,12 @@ fn largest_axis(v: Vector) -> usize {
     [1, 0, 2].into_iter().find(|axis| size[*axis] == longest).unwrap_or(1)
 }
 
+/// Answers the two axes other than one.
+fn others(axis: usize) -> [usize; 2] {
+    [[1, 2], [0, 2], [0, 1]][axis]
+}
+
 /// Answers the two components other than that of an axis.
 fn leave_out(axis: usize, v: Vector) -> [f64; 2] {
-    match axis {
-        0 => [v.0[1], v.0[2]],
-        1 => [v.0[0], v.0[2]],
-        _ => [v.0[0], v.0[1]],
-    }
+    others(axis).map(|other| v.0[other])
 }

@@ -23,6 +23,8 @@ fn look(material: &Material) -> &'static str {
     match (&material.texture, material.color) {
         (Some(Texture::Checker { .. }), _) => "board",
         _ if material.glass.is_some() => "glass",
+        (Some(Texture::Stripes { .. }), _) => "striped",
+        (Some(Texture::Rings { .. }), _) => "ringed",
         (Some(Texture::Vertices { .. }), _) => "mixed",
         _ if material.mirror.is_some_and(|weight| weight >= MIRROR) => "mirror",
         (None, Some(color)) => hue(color.0),

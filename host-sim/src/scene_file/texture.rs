@@ -4,7 +4,7 @@
 
 use super::value::Color;
 use crate::scenes::HostNumber;
-use scanray::{Checker, Vertices};
+use scanray::{Checker, Rings, Stripes, Vertices};
 use serde::{Deserialize, Serialize};
 
 /// Is what colours a surface has from place to place; its fields are those of the core's texture of the
@@ -19,6 +19,26 @@ pub enum Texture {
         /// Colour of its neighbours.
         odd: Color,
         /// Tiles to a unit of the texture coordinates.
+        per_unit: f64,
+    },
+    /// Stripes over the shape's texture coordinates.
+    Stripes {
+        /// Colour of the stripe at the origin.
+        even: Color,
+        /// Colour of its neighbours.
+        odd: Color,
+        /// Stripes to a unit of each texture coordinate.
+        per_unit: [f64; 2],
+    },
+    /// Rings over the shape's texture coordinates.
+    Rings {
+        /// Colour of the innermost.
+        even: Color,
+        /// Colour of the one around it.
+        odd: Color,
+        /// Texture coordinates of their middle.
+        center: [f64; 2],
+        /// Rings to a unit of the texture coordinates.
         per_unit: f64,
     },
     /// Colours of a triangle's corners, mixed between them.
@@ -39,6 +59,14 @@ impl Texture {
             Self::Checker { even, odd, per_unit } => {
                 scanray::Texture::Checker(Checker::new(even.in_number(), odd.in_number(), S::round(per_unit)))
             }
+            Self::Stripes { even, odd, per_unit } => {
+                let per_unit = per_unit.map(S::round);
+                scanray::Texture::Stripes(Stripes::new(even.in_number(), odd.in_number(), per_unit))
+            }
+            Self::Rings { even, odd, center, per_unit } => {
+                let (center, per_unit) = (center.map(S::round), S::round(per_unit));
+                scanray::Texture::Rings(Rings::new(even.in_number(), odd.in_number(), center, per_unit))
+            }
             Self::Vertices { a, b, c } => {
                 scanray::Texture::Vertices(Vertices::new(a.in_number(), b.in_number(), c.in_number()))
             }
@@ -52,6 +80,17 @@ impl Texture {
                 even: Color::of(board.even),
                 odd: Color::of(board.odd),
                 per_unit: board.per_unit,
+            },
+            scanray::Texture::Stripes(stripes) => Self::Stripes {
+                even: Color::of(stripes.even),
+                odd: Color::of(stripes.odd),
+                per_unit: stripes.per_unit,
+            },
+            scanray::Texture::Rings(rings) => Self::Rings {
+                even: Color::of(rings.even),
+                odd: Color::of(rings.odd),
+                center: rings.center,
+                per_unit: rings.per_unit,
             },
             scanray::Texture::Vertices(mixed) => {
                 let [a, b, c] = mixed.colors.map(Color::of);
