@@ -11,6 +11,12 @@ pub enum Fault {
     OutOfRange,
     /// A mirror's weight is not from 0 to 1.
     MirrorWeight,
+    /// A surface's roughness is not from 1/64 to 1.
+    Roughness,
+    /// An index of refraction is not from 1 to 256.
+    RefractiveIndex,
+    /// The cosine of a cone's angle is not from 0 to below 1.
+    Cone,
     /// A radius is zero or negative.
     RadiusNotPositive,
     /// Corners coincide or lie on a line.
@@ -32,6 +38,11 @@ impl fmt::Display for Fault {
                 "a value is not a number, too large for the number type, or light below 0 or above 1024",
             ),
             Self::MirrorWeight => f.write_str("its mirror weight is not between 0 and 1"),
+            Self::Roughness => f.write_str("its roughness is not between 1/64 and 1"),
+            Self::RefractiveIndex => f.write_str("its index of refraction is not between 1 and 256"),
+            Self::Cone => {
+                f.write_str("its cone's edge is not more than 0 and at most 90 degrees from its axis")
+            }
             Self::RadiusNotPositive => f.write_str("its radius is not above zero"),
             Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
             Self::CornersSwapped => f.write_str("its low corner lies above its high corner"),

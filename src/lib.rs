@@ -83,11 +83,12 @@ pub mod render;
 
 pub mod gallery;
 
+pub use brdf::CookTorrance;
 pub use camera::{Camera, CameraError, Projection};
 pub use color::Rgb;
 pub use environment::Sky;
 pub use fault::Fault;
-pub use light::Light;
+pub use light::{Light, Spot};
 pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};

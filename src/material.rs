@@ -1,18 +1,23 @@
 //! What surfaces are made of.
 
+use crate::brdf::CookTorrance;
 use crate::color::Rgb;
 use crate::fault::Fault;
 use crate::math::Scalar;
 use crate::texture::Texture;
 
 /// Names the reflection model of a [`Material`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Model {
+pub enum Model<S = f32> {
     /// The texture's colour as it is, without light or shadow (row L1).
     Flat,
     /// Ambient, Lambert's diffuse and Phong's specular term (rows L2 and L3).
     Phong,
+    /// The same with Blinn's half-way direction in the specular term (row L4).
+    BlinnPhong,
+    /// The same with Cook's and Torrance's specular term, which takes no exponent (row L5).
+    CookTorrance(CookTorrance<S>),
 }
 
 /// Is what a surface does with light.
@@ -33,12 +38,12 @@ pub struct Material<S = f32> {
     /// Colour of the diffuse and ambient reflection.
     pub texture: Texture<S>,
     /// Reflection model.
-    pub model: Model,
+    pub model: Model<S>,
     /// Share of the scene's ambient light it reflects.
     pub ambient: S,
     /// Colour of the specular reflection; black for none.
     pub specular: Rgb<S>,
-    /// Exponent of the specular reflection.
+    /// Exponent of Phong's and Blinn's specular reflection.
     pub shininess: u16,
     /// Weight of the light that a mirror in its place would show; 0 for none (row R1).
     pub mirror: S,
@@ -74,6 +79,12 @@ impl<S: Scalar> Material<S> {
         self
     }
 
+    /// Sets the reflection model.
+    pub const fn with_model(mut self, model: Model<S>) -> Self {
+        self.model = model;
+        self
+    }
+
     /// Adds a mirror reflection.
     pub const fn with_mirror(mut self, weight: S) -> Self {
         self.mirror = weight;
@@ -89,8 +100,12 @@ impl<S: Scalar> Material<S> {
     /// Tells what is wrong with the material, if anything.
     ///
     /// # Errors
-    /// A value that no scene may contain, or a mirror that gives back more light than it gets.
+    /// A value that no scene may contain, facets that no surface has, or a mirror that gives back
+    /// more light than it gets.
     pub fn check(&self) -> Result<(), Fault> {
+        if let Model::CookTorrance(facets) = &self.model {
+            facets.check()?;
+        }
         let usable = self.texture.in_range() && self.ambient.in_range() && self.specular.in_range();
         if !usable {
             Err(Fault::OutOfRange)

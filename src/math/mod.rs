@@ -24,7 +24,7 @@ mod scalar;
 mod units;
 mod vec3;
 
-pub use angle::tan_half;
+pub use angle::{cosine, tan_half};
 pub use fixed::Fixed;
 pub use scalar::{Scalar, Wide};
 pub use units::Units;

@@ -5,7 +5,7 @@ use super::vicinity::Vicinities;
 use crate::brdf;
 use crate::color::Rgb;
 use crate::hit::Surface;
-use crate::light::Light;
+use crate::light::{Light, Spot};
 use crate::material::{Material, Model};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -39,12 +39,12 @@ pub(super) struct Shader<'a, 's, S: Scalar, X> {
 }
 
 impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
-    /// Answers the light that a surface sends to the viewer, mirrors left out (rows L1, L2, L3, L7):
-    /// `Ia kd + sum of fs l kd (n.L) + fs l ks (r.v)^n`.
+    /// Answers the light that a surface sends to the viewer, mirrors left out (rows L1 to L5, L7):
+    /// `Ia kd + sum of fs l kd (n.L) + fs l ks f`, with the specular factor f of the material's model.
     #[inline(always)]
     pub fn direct(&mut self, site: &Site<'_, S>, observer: &mut impl Observer) -> Rgb<S> {
         let color = site.material.texture.color(&site.surface);
-        if site.material.model == Model::Flat {
+        if matches!(site.material.model, Model::Flat) {
             return color;
         }
         let mut sum = site.ambient * color;
@@ -53,7 +53,8 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
             let cosine = brdf::lambert(site.surface.normal, direction);
             if cosine > S::ZERO && !self.shadowed(site, number, direction, distance, observer) {
                 observer.lit(site.lane, number);
-                sum += light.color() * (color * cosine + highlight(site, direction));
+                let arriving = match light { Light::Point{color,..}|Light::Directional{color,..} => *color, _ => Rgb::BLACK };
+                sum += arriving * (color * cosine + highlight(site, direction));
             }
         }
         sum
@@ -93,6 +94,7 @@ fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>,
             // A surface that faces away needs no root.
             if toward.dot(surface.normal) > S::ZERO { toward.normalize() } else { None }
         }
+        Light::Spot(ref spot) => None,
         Light::Directional { toward, .. } => toward.normalize().map(|(unit, _)| (unit, S::FAR)),
     }
 }
@@ -102,5 +104,27 @@ fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>) -> Rgb<S> {
     if !material.specular.is_lit() {
         return Rgb::BLACK;
     }
-    material.specular * brdf::phong(site.surface.normal, to_light, -site.direction, material.shininess)
+    let (normal, to_eye) = (site.surface.normal, -site.direction);
+    let factor = match &material.model {
+        Model::Flat | Model::Phong => brdf::phong(normal, to_light, to_eye, material.shininess),
+        _ => other_factor(material, [normal, to_light, to_eye]),
+    };
+    material.specular * factor
+}
+
+/// apart
+#[cold]
+#[inline(never)]
+fn other_factor<S: Scalar>(material: &Material<S>, [normal, to_light, to_eye]: [Vec3<S>; 3]) -> S {
+    match &material.model {
+        Model::BlinnPhong => brdf::blinn_phong(normal, to_light, to_eye, material.shininess),
+        Model::CookTorrance(facets) => facets.factor(normal, to_light, to_eye),
+        Model::Flat | Model::Phong => S::ZERO,
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn spot_facing<S: Scalar>(spot: &Spot<S>, point: Vec3<S>) -> Option<(Vec3<S>, S)> {
+    (spot.position - point).normalize()
 }

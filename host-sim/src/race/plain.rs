@@ -76,7 +76,7 @@ impl Finish {
     fn of(material: &Material<f64>, ambient: f64) -> Result<Self, Fault> {
         let Texture::Solid(color) = material.texture else { return Err(Fault::Unwritable("textures")) };
         if material.model != Model::Phong {
-            return Err(Fault::Unwritable("surfaces that ask for no light"));
+            return Err(Fault::Unwritable("reflection models other than Phong's"));
         }
         let (phong, ambient) = (grey(material.specular)?, ambient * material.ambient);
         Ok(Self { color, ambient, phong, shininess: material.shininess, mirror: material.mirror })

@@ -48,11 +48,19 @@ pub(super) enum Shape {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Material {
     pub texture: Texture,
-    pub lit: bool,
+    pub model: Model,
     pub ambient: f64,
     pub specular: Vector,
     pub shininess: u16,
     pub mirror: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Model {
+    Flat,
+    Phong,
+    BlinnPhong,
+    CookTorrance { roughness: f64, index: f64 },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -65,6 +73,7 @@ pub(super) enum Texture {
 pub(super) enum Light {
     Point { position: Vector, color: Vector },
     Directional { toward: Vector, color: Vector },
+    Spot { position: Vector, axis: Vector, cutoff: f64, falloff: u16, color: Vector },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -130,15 +139,23 @@ fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
     }
 }
 
+fn model(model: &scanray::Model<f64>) -> Result<Model, Unknown> {
+    match model {
+        scanray::Model::Flat => Ok(Model::Flat),
+        scanray::Model::Phong => Ok(Model::Phong),
+        scanray::Model::BlinnPhong => Ok(Model::BlinnPhong),
+        scanray::Model::CookTorrance(facets) => {
+            Ok(Model::CookTorrance { roughness: facets.roughness, index: facets.index })
+        }
+        _ => Err(Unknown("reflection model")),
+    }
+}
+
 fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
-    let lit = match material.model {
-        scanray::Model::Flat => false,
-        scanray::Model::Phong => true,
-        _ => return Err(Unknown("reflection model")),
-    };
+    let (texture, model) = (texture(&material.texture)?, model(&material.model)?);
     let (specular, shininess) = (light(&material.specular), material.shininess);
     let (ambient, mirror) = (material.ambient, material.mirror);
-    Ok(Material { texture: texture(&material.texture)?, lit, ambient, specular, shininess, mirror })
+    Ok(Material { texture, model, ambient, specular, shininess, mirror })
 }
 
 fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
@@ -148,6 +165,10 @@ fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
         }
         scanray::Light::Directional { toward, color } => {
             Ok(Light::Directional { toward: vector(toward), color: light(color) })
+        }
+        scanray::Light::Spot(s) => {
+            let (position, axis, color) = (vector(&s.position), vector(&s.axis), light(&s.color));
+            Ok(Light::Spot { position, axis, cutoff: s.cutoff, falloff: s.falloff, color })
         }
         _ => Err(Unknown("light")),
     }

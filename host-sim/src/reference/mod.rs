@@ -15,6 +15,7 @@ mod display;
 mod light;
 mod matrix;
 mod picture;
+mod reflection;
 mod shape;
 mod trail;
 mod vector;

@@ -1,5 +1,9 @@
 //! Sources of light.
 
+mod spot;
+
+pub use spot::Spot;
+
 use crate::color::Rgb;
 use crate::math::{Scalar, Vec3};
 
@@ -21,6 +25,8 @@ pub enum Light<S = f32> {
         /// How much light arrives.
         color: Rgb<S>,
     },
+    /// Shines from a point into a cone (row L6).
+    Spot(Spot<S>),
 }
 
 impl<S: Scalar> Light<S> {
@@ -34,10 +40,26 @@ impl<S: Scalar> Light<S> {
         Self::Directional { toward, color }
     }
 
-    /// Answers how much light arrives.
+    /// Makes a lamp that shines along an axis of any length into a cone, whose edge is at the angle of
+    /// which `cutoff` is the cosine; off the axis its light falls with the cosine to the power of
+    /// `falloff`.
+    ///
+    /// ```
+    /// use scanray::math::cosine;
+    /// use scanray::{Light, Rgb, Vec3};
+    /// const DOWN: Vec3 = Vec3::new(0.0, -1.0, 0.0);
+    /// static LAMP: Light = Light::spot(Vec3::new(0.0, 5.0, 0.0), DOWN, cosine(25.0) as f32, 8, Rgb::WHITE);
+    /// ```
+    pub const fn spot(position: Vec3<S>, axis: Vec3<S>, cutoff: S, falloff: u16, color: Rgb<S>) -> Self {
+        Self::Spot(Spot { position, axis, cutoff, falloff, color })
+    }
+
+    /// Answers how much light arrives at most: of a [`Spot`] on its axis, of the others everywhere.
     pub fn color(&self) -> Rgb<S> {
         match *self {
-            Self::Point { color, .. } | Self::Directional { color, .. } => color,
+            Self::Point { color, .. } | Self::Directional { color, .. } | Self::Spot(Spot { color, .. }) => {
+                color
+            }
         }
     }
 }
