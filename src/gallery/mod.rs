@@ -48,7 +48,8 @@ macro_rules! in_every_number {
 macro_rules! with_helpers {
     ($($items:tt)*) => {
         #[allow(unused_imports, reason = "no scene uses everything")]
-        use $crate::{camera::*, environment::*, gallery::View, light::*, material::*, math::Vec3,
+        use $crate::{camera::*, brdf::CookTorrance, environment::*, gallery::View, light::*, material::*,
+            math::{Vec3, cosine},
             output::*, render::Settings, scene::*, shape::*, texture::*, color::Rgb};
         #[allow(dead_code, reason = "no scene uses everything")]
         const fn v(x: f64, y: f64, z: f64) -> Vec3<S> { Vec3::new(n(x), n(y), n(z)) }
@@ -65,10 +66,12 @@ use {in_every_number, with_helpers};
 mod business_card;
 mod c_ray;
 mod first_light;
+mod material_table;
 mod mirror_levels;
 mod orthographic;
 mod playdate;
 mod simple;
+mod spots;
 mod three_spheres;
 mod tinyraytracer;
 
@@ -107,19 +110,23 @@ macro_rules! gallery_of {
             pub use super::business_card::$module::VIEW as BUSINESS_CARD;
             pub use super::c_ray::$module::VIEW as C_RAY;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
+            pub use super::material_table::$module::VIEW as MATERIAL_TABLE;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
             pub use super::playdate::$module::VIEW as PLAYDATE;
             pub use super::simple::$module::VIEW as SIMPLE;
+            pub use super::spots::$module::VIEW as SPOTS;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
 
             /// Lists the gallery; a constant that takes one of it links that scene alone.
-            pub static VIEWS: [super::View<$number>; 9] = [
+            pub static VIEWS: [super::View<$number>; 11] = [
                 SIMPLE,
                 FIRST_LIGHT,
                 MIRROR_LEVELS,
                 ORTHOGRAPHIC,
+                MATERIAL_TABLE,
+                SPOTS,
                 THREE_SPHERES,
                 TINYRAYTRACER,
                 C_RAY,

@@ -7,10 +7,13 @@ use crate::math::{Scalar, Vec3};
 /// At an angle a off the axis, up to the cone's edge, `cos(a)^falloff` of its light arrives, beyond it
 /// none: the spotlight of OpenGL 1.0 (Segal and Akeley 1992). Its edge is sharp where that power is still
 /// large there.
+// Position and colour lie where a point's do: what they are needed for does not ask which light it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot<S = f32> {
     /// Where it is.
     pub position: Vec3<S>,
+    /// How much light arrives on the axis.
+    pub color: Rgb<S>,
     /// Where it shines to along the middle of its cone, of any length but zero.
     pub axis: Vec3<S>,
     /// Cosine of the angle between axis and edge, from 0 to below 1, as [`cosine`](crate::math::cosine)
@@ -18,8 +21,6 @@ pub struct Spot<S = f32> {
     pub cutoff: S,
     /// Exponent of the cosine; 0 for the same light in the whole cone.
     pub falloff: u16,
-    /// How much light arrives on the axis.
-    pub color: Rgb<S>,
 }
 
 impl<S: Scalar> Spot<S> {

@@ -39,10 +39,10 @@ pub(super) struct Shader<'a, 's, S: Scalar, X> {
 }
 
 impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
-    /// Answers the light that a surface sends to the viewer, mirrors left out (rows L1 to L5, L7):
-    /// `Ia kd + sum of fs l kd (n.L) + fs l ks f`, with the specular factor f of the material's model.
+    /// Answers the light that a surface sends to the viewer, mirrors left out (rows L1, L2, L3, L7):
+    /// `Ia kd + sum of fs l kd (n.L) + fs l ks (r.v)^n`.
     #[inline(always)]
-    pub fn direct(&mut self, site: &Site<'_, S>, observer: &mut impl Observer) -> Rgb<S> {
+    pub fn direct<const PLAIN: bool>(&mut self, site: &Site<'_, S>, observer: &mut impl Observer) -> Rgb<S> {
         let color = site.material.texture.color(&site.surface);
         if matches!(site.material.model, Model::Flat) {
             return color;
@@ -51,10 +51,15 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
         for (number, light) in (0..).zip(self.scene.lights) {
             let Some((direction, distance)) = facing(light, &site.surface) else { continue };
             let cosine = brdf::lambert(site.surface.normal, direction);
-            if cosine > S::ZERO && !self.shadowed(site, number, direction, distance, observer) {
+            let share = match light {
+                Light::Spot(spot) if !PLAIN => spot.share(direction),
+                _ => S::ONE,
+            };
+            let arrives = cosine > S::ZERO && share > S::ZERO;
+            if arrives && !self.shadowed(site, number, direction, distance, observer) {
                 observer.lit(site.lane, number);
-                let arriving = match light { Light::Point{color,..}|Light::Directional{color,..} => *color, _ => Rgb::BLACK };
-                sum += arriving * (color * cosine + highlight(site, direction));
+                let arriving = if PLAIN { light.color() } else { light.color() * share };
+                sum += arriving * (color * cosine + highlight::<S, PLAIN>(site, direction));
             }
         }
         sum
@@ -89,42 +94,25 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
 /// a light on the surface.
 fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>, S)> {
     match *light {
-        Light::Point { position, .. } => {
+        Light::Point { position, .. } | Light::Spot(Spot { position, .. }) => {
             let toward = position - surface.point;
             // A surface that faces away needs no root.
             if toward.dot(surface.normal) > S::ZERO { toward.normalize() } else { None }
         }
-        Light::Spot(ref spot) => None,
         Light::Directional { toward, .. } => toward.normalize().map(|(unit, _)| (unit, S::FAR)),
     }
 }
 
-fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>) -> Rgb<S> {
+fn highlight<S: Scalar, const PLAIN: bool>(site: &Site<'_, S>, to_light: Vec3<S>) -> Rgb<S> {
     let material = site.material;
     if !material.specular.is_lit() {
         return Rgb::BLACK;
     }
     let (normal, to_eye) = (site.surface.normal, -site.direction);
     let factor = match &material.model {
-        Model::Flat | Model::Phong => brdf::phong(normal, to_light, to_eye, material.shininess),
-        _ => other_factor(material, [normal, to_light, to_eye]),
+        Model::BlinnPhong if !PLAIN => brdf::blinn_phong(normal, to_light, to_eye, material.shininess),
+        Model::CookTorrance(facets) if !PLAIN => facets.factor(normal, to_light, to_eye),
+        _ => brdf::phong(normal, to_light, to_eye, material.shininess),
     };
     material.specular * factor
-}
-
-/// apart
-#[cold]
-#[inline(never)]
-fn other_factor<S: Scalar>(material: &Material<S>, [normal, to_light, to_eye]: [Vec3<S>; 3]) -> S {
-    match &material.model {
-        Model::BlinnPhong => brdf::blinn_phong(normal, to_light, to_eye, material.shininess),
-        Model::CookTorrance(facets) => facets.factor(normal, to_light, to_eye),
-        Model::Flat | Model::Phong => S::ZERO,
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn spot_facing<S: Scalar>(spot: &Spot<S>, point: Vec3<S>) -> Option<(Vec3<S>, S)> {
-    (spot.position - point).normalize()
 }

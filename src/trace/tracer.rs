@@ -6,7 +6,8 @@ use super::vicinity::Vicinities;
 use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
 use crate::hit::Surface;
-use crate::material::Material;
+use crate::light::Light;
+use crate::material::{Material, Model};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
@@ -40,6 +41,8 @@ pub struct Tracer<'a, 's, S: Scalar, X> {
     scene: &'s Scene<'a, S, X>,
     shader: Shader<'a, 's, S, X>,
     depth: u8,
+    /// Whether any light is a spot.
+    spots: bool,
     exposure: Rgb<S>,
     /// Whether the exposure is any but 1.
     exposed: bool,
@@ -52,7 +55,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     /// shadow.
     pub fn new(scene: &'s Scene<'a, S, X>, depth: u8) -> Self {
         let shader = Shader { scene, vicinities: None };
-        Self { scene, shader, depth, exposure: Rgb::WHITE, exposed: false, faint: S::ZERO, eye: None }
+        let spots = scene.lights.iter().any(|light| matches!(light, Light::Spot(_)));
+        Self { scene, shader, depth, spots, exposure: Rgb::WHITE, exposed: false, faint: S::ZERO, eye: None }
     }
 
     /// Sets the factor on all light.
@@ -149,7 +153,11 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             sent_on |= material.mirror > S::ZERO && level < self.depth;
             let eye = if level == 0 { self.eye } else { None };
             dispatch!(shape, shape => arrive(shape, eye, run));
-            self.visit(shape.is_convex(), material, level, run, light, observer);
+            if !self.spots && matches!(material.model, Model::Flat | Model::Phong) {
+                self.visit::<true>(shape.is_convex(), material, level, run, light, observer);
+            } else {
+                self.visit_any(shape.is_convex(), material, level, run, light, observer);
+            }
         }
         sent_on
     }
@@ -162,8 +170,24 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         }
     }
 
-    /// Lights places of one object, convex or not, and reflects the rays that have reached them.
-    fn visit(
+    /// Lights places of an object of any model under any light, apart from the plain ones' path.
+    #[cold]
+    #[inline(never)]
+    fn visit_any(
+        &mut self,
+        convex: bool,
+        material: &Material<S>,
+        level: u8,
+        lanes: &mut [Lane<S>],
+        light: &mut [Rgb<S>],
+        observer: &mut impl Observer,
+    ) {
+        self.visit::<false>(convex, material, level, lanes, light, observer);
+    }
+
+    /// Lights places of one object, convex or not, all `PLAIN` or not, and reflects the rays that have reached them.
+    #[inline(always)]
+    fn visit<const PLAIN: bool>(
         &mut self,
         convex: bool,
         material: &Material<S>,
@@ -185,7 +209,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             observer.met(lane.number, lane.met, tile(material, &surface));
             let (distance, number) = (lane.interval.far, lane.number);
             let site = Site { surface, material, ambient, direction, distance, from, level, lane: number };
-            let sent = self.shader.direct(&site, observer);
+            let sent = self.shader.direct::<PLAIN>(&site, observer);
             self.add(level, lane, sent, light);
             if reflects {
                 lane.ray.direction = unit_reflection(direction, surface.normal);
