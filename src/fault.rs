@@ -15,6 +15,12 @@ pub enum Fault {
     Transmission,
     /// A refractive index is not from 1/8 to 8.
     RefractiveIndex,
+    /// A surface's roughness is not from 1/64 to 1.
+    Roughness,
+    /// The refractive index of facets is not from 1 to 256.
+    FacetIndex,
+    /// The cosine of a cone's angle is not from 0 to below 1.
+    Cone,
     /// A radius is zero or negative.
     RadiusNotPositive,
     /// Corners coincide or lie on a line.
@@ -50,6 +56,11 @@ impl fmt::Display for Fault {
                 f.write_str("its transmission is not between 0 and what its mirror leaves of 1")
             }
             Self::RefractiveIndex => f.write_str("its refractive index is not between 1/8 and 8"),
+            Self::Roughness => f.write_str("its roughness is not between 1/64 and 1"),
+            Self::FacetIndex => f.write_str("the refractive index of its facets is not between 1 and 256"),
+            Self::Cone => {
+                f.write_str("its cone's edge is not more than 0 and at most 90 degrees from its axis")
+            }
             Self::RadiusNotPositive => f.write_str("its radius is not above zero"),
             Self::Degenerate => f.write_str("its corners coincide or lie on a line"),
             Self::TooFewCorners => f.write_str("it has fewer than three corners"),

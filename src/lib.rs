@@ -87,12 +87,13 @@ pub mod raster;
 
 pub mod gallery;
 
+pub use brdf::CookTorrance;
 pub use camera::{Camera, CameraError, Projection};
 pub use color::Rgb;
 pub use environment::{Cube, Sky};
 pub use fault::Fault;
 pub use glass::{Fresnel, Glass};
-pub use light::Light;
+pub use light::{Light, Spot};
 pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};

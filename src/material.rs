@@ -1,5 +1,6 @@
 //! What surfaces are made of.
 
+use crate::brdf::CookTorrance;
 use crate::color::Rgb;
 use crate::fault::Fault;
 use crate::glass::Glass;
@@ -8,13 +9,17 @@ use crate::math::Scalar;
 use crate::texture::{Bump, Texture};
 
 /// Names the reflection model of a [`Material`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Model {
+pub enum Model<S = f32> {
     /// The texture's colour as it is, without light or shadow (row L1).
     Flat,
     /// Ambient, Lambert's diffuse and Phong's specular term (rows L2 and L3).
     Phong,
+    /// The same with Blinn's half-way direction in the specular term (row L4).
+    BlinnPhong,
+    /// The same with Cook's and Torrance's specular term, which takes no exponent (row L5).
+    CookTorrance(CookTorrance<S>),
 }
 
 /// Is what a surface does with light.
@@ -37,12 +42,12 @@ pub struct Material<S = f32> {
     /// Roughness that only light sees (row T2).
     pub bump: Option<Bump<S>>,
     /// Reflection model.
-    pub model: Model,
+    pub model: Model<S>,
     /// Share of the scene's ambient light it reflects.
     pub ambient: S,
     /// Colour of the specular reflection; black for none.
     pub specular: Rgb<S>,
-    /// Exponent of the specular reflection.
+    /// Exponent of Phong's and Blinn's specular reflection.
     pub shininess: u16,
     /// Weight of the light that a mirror in its place would show; 0 for none (row R1).
     pub mirror: S,
@@ -79,6 +84,12 @@ impl<S: Scalar> Material<S> {
     pub const fn with_specular(mut self, specular: Rgb<S>, shininess: u16) -> Self {
         self.specular = specular;
         self.shininess = shininess;
+        self
+    }
+
+    /// Sets the reflection model.
+    pub const fn with_model(mut self, model: Model<S>) -> Self {
+        self.model = model;
         self
     }
 
@@ -121,9 +132,12 @@ impl<S: Scalar> Material<S> {
     /// Tells what is wrong with the material, if anything.
     ///
     /// # Errors
-    /// A value that no scene may contain, an image without texels or too large, or a mirror or glass that
-    /// gives more light than it gets.
+    /// A value that no scene may contain, facets that no surface has, an image without texels or too
+    /// large, or a mirror or glass that gives more light than it gets.
     pub fn check(&self) -> Result<(), Fault> {
+        if let Model::CookTorrance(facets) = &self.model {
+            facets.check()?;
+        }
         let usable = self.texture.in_range() && self.ambient.in_range() && self.specular.in_range();
         let images = [self.texture.image(), self.bump.as_ref().map(|bump| &bump.image)];
         if !usable || self.bump.is_some_and(|bump| !bump.in_range()) {

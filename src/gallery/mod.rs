@@ -48,7 +48,8 @@ macro_rules! in_every_number {
 macro_rules! with_helpers {
     ($($items:tt)*) => {
         #[allow(unused_imports, reason = "no scene uses everything")]
-        use $crate::{camera::*, environment::*, gallery::View, glass::*, light::*, material::*, math::Vec3,
+        use $crate::{camera::*, brdf::CookTorrance, environment::*, gallery::View, glass::*, light::*, material::*,
+            math::{Vec3, cosine},
             output::*, render::Settings, scene::*, shape::*, texture::*, color::Rgb};
         #[allow(dead_code, reason = "no scene uses everything")]
         const fn v(x: f64, y: f64, z: f64) -> Vec3<S> { Vec3::new(n(x), n(y), n(z)) }
@@ -70,11 +71,13 @@ mod environment;
 mod first_light;
 mod glass;
 mod images;
+mod material_table;
 mod mirror_levels;
 mod orthographic;
 mod playdate;
 mod simple;
 mod smooth;
+mod spots;
 mod stars;
 mod still_life;
 mod textured;
@@ -121,11 +124,13 @@ macro_rules! gallery_of {
             pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::glass::$module::VIEW as GLASS;
+            pub use super::material_table::$module::VIEW as MATERIAL_TABLE;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
             pub use super::playdate::$module::VIEW as PLAYDATE;
             pub use super::simple::$module::VIEW as SIMPLE;
             pub use super::smooth::$module::VIEW as SMOOTH;
+            pub use super::spots::$module::VIEW as SPOTS;
             pub use super::stars::$module::VIEW as STARS;
             pub use super::still_life::$module::VIEW as STILL_LIFE;
             pub use super::textured::$module::VIEW as TEXTURED;
@@ -140,6 +145,8 @@ macro_rules! gallery_of {
                 MIRROR_LEVELS,
                 GLASS,
                 ORTHOGRAPHIC,
+                MATERIAL_TABLE,
+                SPOTS,
                 THREE_SPHERES,
                 TINYRAYTRACER,
                 C_RAY,

@@ -25,7 +25,7 @@ mod scalar;
 mod units;
 mod vec3;
 
-pub use angle::tan_half;
+pub use angle::{cosine, tan_half};
 pub use azimuth::{Arctangent, turns};
 pub use fixed::Fixed;
 pub use scalar::{Scalar, Wide};

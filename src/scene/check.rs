@@ -56,6 +56,7 @@ fn check_light<S: Scalar>(light: &Light<S>) -> Result<(), Fault> {
             in_range(toward.in_range() && color.in_range())?;
             toward.normalize().map(|_| ()).ok_or(Fault::NoDirection)
         }
+        Light::Spot(spot) => spot.check(),
     }
 }
 

@@ -2,8 +2,8 @@ use super::Scene;
 use crate::color::Rgb;
 use crate::environment::Sky;
 use crate::hull::Hull;
-use crate::light::Light;
-use crate::material::Material;
+use crate::light::{Light, Spot};
+use crate::material::{Material, Model};
 use crate::math::Scalar;
 use crate::shape::Intersect;
 use crate::texture::Texture;
@@ -28,13 +28,18 @@ fn brightest_of_texture<S: Scalar>(texture: &Texture<S>) -> S {
     }
 }
 
+fn brightest_highlight<S: Scalar>(material: &Material<S>) -> S {
+    let factor = if let Model::CookTorrance(_) = material.model { S::from_i32(1024) } else { S::ONE };
+    material.specular.max() * factor
+}
+
 impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
     /// Answers the largest magnitude among the coordinates of shapes and lights: at most this is
     /// what [`Scene::check`] compares with [`Scalar::LIMIT`].
     pub fn largest(&self) -> S {
         let shapes = self.objects.iter().map(|object| reach(&object.shape.hull()));
         let lights = self.lights.iter().map(|light| match *light {
-            Light::Point { position, .. } => position.largest(),
+            Light::Point { position, .. } | Light::Spot(Spot { position, .. }) => position.largest(),
             Light::Directional { .. } => S::ZERO,
         });
         shapes.chain(lights).fold(S::ZERO, S::max)
@@ -46,8 +51,8 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
         let arriving = self.lights.iter().fold(S::ZERO, |sum, light| sum + light.color().max());
         let sent = |material: &Material<S>| {
             let color = brightest_of_texture(&material.texture);
-            let lit =
-                self.ambient.max() * material.ambient * color + arriving * (color + material.specular.max());
+            let lit = self.ambient.max() * material.ambient * color
+                + arriving * (color + brightest_highlight(material));
             lit.max(color)
         };
         let sky = match self.sky {

@@ -5,7 +5,7 @@ use super::vicinity::Vicinities;
 use crate::brdf;
 use crate::color::Rgb;
 use crate::hit::Surface;
-use crate::light::Light;
+use crate::light::{Light, Spot};
 use crate::material::{Material, Model};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -95,16 +95,19 @@ fn reflected<S: Scalar, X, O: Observer>(
     mut shadowed: impl FnMut(u16, Vec3<S>, S, &mut O) -> bool,
 ) -> Rgb<S> {
     let color = site.material.texture.color(&site.surface);
-    if site.material.model == Model::Flat {
+    if matches!(site.material.model, Model::Flat) {
         return color;
     }
     let mut sum = site.ambient * color;
     for (number, light) in (0..).zip(scene.lights) {
         let Some((direction, distance)) = facing(light, &site.surface) else { continue };
         let cosine = brdf::lambert(site.surface.normal, direction);
-        if cosine > S::ZERO && !shadowed(number, direction, distance, observer) {
+        if cosine > S::ZERO
+            && let Some(arriving) = light.arriving(direction)
+            && !shadowed(number, direction, distance, observer)
+        {
             observer.lit(site.lane, number);
-            sum += light.color() * (color * cosine + highlight(site, direction, cosine));
+            sum += arriving * (color * cosine + highlight(site, direction, cosine));
         }
     }
     sum
@@ -114,7 +117,7 @@ fn reflected<S: Scalar, X, O: Observer>(
 /// a light on the surface.
 fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>, S)> {
     match *light {
-        Light::Point { position, .. } => {
+        Light::Point { position, .. } | Light::Spot(Spot { position, .. }) => {
             let toward = position - surface.point;
             // A surface that faces away needs no root.
             if toward.dot(surface.normal) > S::ZERO { toward.normalize() } else { None }
@@ -128,6 +131,15 @@ fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>, cosine: S) -> Rgb
     if !material.specular.is_lit() {
         return Rgb::BLACK;
     }
-    let cosines = [cosine, site.facing, -to_light.dot(site.direction)];
-    material.specular * brdf::phong(cosines, material.shininess)
+    let factor = match &material.model {
+        Model::BlinnPhong => {
+            brdf::blinn_phong(site.surface.normal, to_light, -site.direction, material.shininess)
+        }
+        Model::CookTorrance(facets) => facets.factor(site.surface.normal, to_light, -site.direction),
+        _ => {
+            let cosines = [cosine, site.facing, -to_light.dot(site.direction)];
+            brdf::phong(cosines, material.shininess)
+        }
+    };
+    material.specular * factor
 }

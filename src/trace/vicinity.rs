@@ -8,7 +8,7 @@
 use super::departure::Departure;
 use crate::aabb::Aabb;
 use crate::hull::Hull;
-use crate::light::Light;
+use crate::light::{Light, Spot};
 use crate::math::{Scalar, Vec3};
 use crate::scene::Scene;
 use crate::shape::Intersect;
@@ -137,7 +137,9 @@ impl<S: Scalar> Beam<S> {
         // The ball around a cube reaches sqrt(3) = 1.73 times as far as its sides.
         let ball = reach + reach;
         let (toward, length) = match *light {
-            Light::Point { position, .. } => (position - center).normalize(),
+            Light::Point { position, .. } | Light::Spot(Spot { position, .. }) => {
+                (position - center).normalize()
+            }
             Light::Directional { toward, .. } => toward.normalize().map(|(unit, _)| (unit, S::FAR)),
         }
         .unwrap_or((Vec3::ZERO, S::ZERO));

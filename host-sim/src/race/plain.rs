@@ -95,7 +95,7 @@ impl Finish {
             return Err(Fault::Unwritable("bumps"));
         }
         if material.model != Model::Phong {
-            return Err(Fault::Unwritable("surfaces that ask for no light"));
+            return Err(Fault::Unwritable("reflection models other than Phong's"));
         }
         let (phong, ambient) = (grey(material.specular)?, ambient * material.ambient);
         Ok(Self { color, ambient, phong, shininess: material.shininess, mirror: material.mirror })

@@ -59,7 +59,7 @@ pub(super) enum Shape {
 pub(super) struct Material {
     pub texture: Texture,
     pub bump: Option<Bump>,
-    pub lit: bool,
+    pub model: Model,
     pub ambient: f64,
     pub specular: Vector,
     pub shininess: u16,
@@ -71,6 +71,14 @@ pub(super) struct Material {
 pub(super) enum Bump {
     Heights { image: Image, height: f64 },
     Normals { image: Image },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Model {
+    Flat,
+    Phong,
+    BlinnPhong,
+    CookTorrance { roughness: f64, index: f64 },
 }
 
 #[derive(Clone, Debug)]
@@ -87,6 +95,7 @@ pub(super) enum Texture {
 pub(super) enum Light {
     Point { position: Vector, color: Vector },
     Directional { toward: Vector, color: Vector },
+    Spot { position: Vector, axis: Vector, cutoff: f64, falloff: u16, color: Vector },
 }
 
 #[derive(Clone, Debug)]
@@ -228,17 +237,25 @@ fn glass(glass: &scanray::Glass<f64>) -> Result<Glass, Unknown> {
     Ok(Glass { transmission, index, turning, absorption })
 }
 
+fn model(model: &scanray::Model<f64>) -> Result<Model, Unknown> {
+    match model {
+        scanray::Model::Flat => Ok(Model::Flat),
+        scanray::Model::Phong => Ok(Model::Phong),
+        scanray::Model::BlinnPhong => Ok(Model::BlinnPhong),
+        scanray::Model::CookTorrance(facets) => {
+            Ok(Model::CookTorrance { roughness: facets.roughness, index: facets.index })
+        }
+        _ => Err(Unknown("reflection model")),
+    }
+}
+
 fn material(material: &scanray::Material<f64>) -> Result<Material, Unknown> {
-    let lit = match material.model {
-        scanray::Model::Flat => false,
-        scanray::Model::Phong => true,
-        _ => return Err(Unknown("reflection model")),
-    };
+    let (texture, model) = (texture(&material.texture)?, model(&material.model)?);
     let (specular, shininess) = (light(&material.specular), material.shininess);
     let (ambient, mirror) = (material.ambient, material.mirror);
-    let (texture, glass) = (texture(&material.texture)?, material.glass.as_ref().map(glass).transpose()?);
+    let glass = material.glass.as_ref().map(glass).transpose()?;
     let bump = material.bump.as_ref().map(bump).transpose()?;
-    Ok(Material { texture, bump, lit, ambient, specular, shininess, mirror, glass })
+    Ok(Material { texture, bump, model, ambient, specular, shininess, mirror, glass })
 }
 
 fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
@@ -248,6 +265,10 @@ fn lamp(lamp: &scanray::Light<f64>) -> Result<Light, Unknown> {
         }
         scanray::Light::Directional { toward, color } => {
             Ok(Light::Directional { toward: vector(toward), color: light(color) })
+        }
+        scanray::Light::Spot(s) => {
+            let (position, axis, color) = (vector(&s.position), vector(&s.axis), light(&s.color));
+            Ok(Light::Spot { position, axis, cutoff: s.cutoff, falloff: s.falloff, color })
         }
         _ => Err(Unknown("light")),
     }

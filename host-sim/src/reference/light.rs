@@ -1,4 +1,5 @@
-use super::description::{Description, Light, Material};
+use super::description::{Description, Light, Material, Model};
+use super::reflection::{Way, angle};
 use super::shape::Ray;
 use super::trail::{Stop, Trail};
 use super::vector::Vector;
@@ -32,7 +33,15 @@ impl Light {
         match *self {
             Self::Point { position, color } => (position - point, 1.0, color),
             Self::Directional { toward, color } => (toward, f64::INFINITY, color),
+            Self::Spot { position, color, .. } => (position - point, 1.0, color * self.share(point)),
         }
+    }
+
+    /// Answers the share of its light that a lamp sends to a point: none outside of its cone.
+    fn share(&self, point: Vector) -> f64 {
+        let Self::Spot { position, axis, cutoff, falloff, .. } = *self else { return 1.0 };
+        let off = angle(axis, point - position);
+        if off <= cutoff.acos() { off.cos().powf(f64::from(falloff)) } else { 0.0 }
     }
 }
 
@@ -106,8 +115,11 @@ impl Description {
         }
         let point = lit_at;
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
-        let reached: Vec<bool> =
-            self.lights.iter().map(|light| material.lit && self.reaches(light, &place)).collect();
+        let reached: Vec<bool> = self
+            .lights
+            .iter()
+            .map(|light| material.model != Model::Flat && self.reaches(light, &place))
+            .collect();
         let direct = self.direct_light(&place, &reached);
         trail.push(Stop { object, part, tile, lights: reached });
         let mut sum = direct;
@@ -142,16 +154,17 @@ impl Description {
         left.filter(sum)
     }
 
-    /// Tells whether a light falls on the visible side of a place and nothing stands between.
+    /// Tells whether a light shines on the visible side of a place and nothing stands between.
     fn reaches(&self, light: &Light, place: &Place<'_>) -> bool {
         let (direction, end, _) = light.seen_from(place.point);
         let ray = Ray { start: place.point, direction };
-        place.normal.inner(direction) > 0.0 && self.first(&ray, Some(place.left), |t| t < end).is_none()
+        let faces = place.normal.inner(direction) > 0.0 && light.share(place.point) > 0.0;
+        faces && self.first(&ray, Some(place.left), |t| t < end).is_none()
     }
 
-    /// Sums `Ia kd ka + l kd (n.L) + l ks (r.v)^n` over the lights that reach the place.
+    /// Sums `Ia kd ka + l kd (n.L) + l ks f`, of the model's factor f, over the lights that reach the place.
     fn direct_light(&self, place: &Place<'_>, reached: &[bool]) -> Vector {
-        if !place.material.lit {
+        if place.material.model == Model::Flat {
             return place.color;
         }
         let ambient = self.ambient.filter(place.color) * place.material.ambient;
@@ -166,9 +179,7 @@ impl Place<'_> {
         let (direction, _, color) = light.seen_from(self.point);
         let to_light = direction.unit();
         let cosine = self.normal.inner(to_light);
-        let mirrored = self.normal * (2.0 * cosine) - to_light;
-        let toward_eye = mirrored.inner(self.to_eye);
-        let shine = if toward_eye > 0.0 { toward_eye.powf(f64::from(self.material.shininess)) } else { 0.0 };
-        color.filter(self.color * cosine + self.material.specular * shine)
+        let way = Way { normal: self.normal, to_light, to_eye: self.to_eye };
+        color.filter(self.color * cosine + self.material.specular * self.material.shine(&way))
     }
 }

@@ -20,6 +20,7 @@ mod matrix;
 mod outline;
 mod picture;
 mod raster;
+mod reflection;
 mod shape;
 mod smooth;
 mod texture;

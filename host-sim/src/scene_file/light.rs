@@ -24,6 +24,19 @@ pub enum Light {
         /// How much light arrives.
         color: Color,
     },
+    /// Shines from a point into a cone.
+    Spot {
+        /// Where it is.
+        position: Point,
+        /// Where it shines to along the middle of its cone, of any length but zero.
+        axis: Point,
+        /// Cosine of the angle between axis and edge.
+        cutoff: f64,
+        /// Exponent with which light falls off the axis.
+        falloff: u16,
+        /// How much light arrives on the axis.
+        color: Color,
+    },
 }
 
 impl Light {
@@ -33,6 +46,10 @@ impl Light {
             Self::Point { position, color } => scanray::Light::point(point(position), color.in_number()),
             Self::Directional { toward, color } => {
                 scanray::Light::directional(point(toward), color.in_number())
+            }
+            Self::Spot { position, axis, cutoff, falloff, color } => {
+                let (position, axis, cutoff) = (point(position), point(axis), S::round(cutoff));
+                scanray::Light::spot(position, axis, cutoff, falloff, color.in_number())
             }
         }
     }
@@ -46,6 +63,13 @@ impl Light {
             scanray::Light::Directional { toward, color } => {
                 Self::Directional { toward: toward.to_array(), color: Color::of(color) }
             }
+            scanray::Light::Spot(spot) => Self::Spot {
+                position: spot.position.to_array(),
+                axis: spot.axis.to_array(),
+                cutoff: spot.cutoff,
+                falloff: spot.falloff,
+                color: Color::of(spot.color),
+            },
             _ => return None,
         })
     }

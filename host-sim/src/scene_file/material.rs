@@ -7,7 +7,7 @@ use super::glass::Glass;
 use super::texture::Texture;
 use super::value::{Color, unless};
 use crate::scenes::HostNumber;
-use scanray::Rgb;
+use scanray::{CookTorrance, Rgb};
 use serde::{Deserialize, Serialize};
 
 /// Is what a surface does with light; its fields are those of the core's material of the same name.
@@ -41,27 +41,45 @@ pub struct Material {
 }
 
 /// Names a reflection model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub enum Model {
     /// The colour as it is, without light or shadow.
     Flat,
-    /// Ambient, diffuse and specular light.
+    /// Ambient, diffuse and Phong's specular light.
     Phong,
+    /// The same with Blinn's specular light.
+    BlinnPhong,
+    /// The same with the specular light of facets.
+    CookTorrance {
+        /// Eccentricity of the facets' distribution.
+        roughness: f64,
+        /// Their refractive index.
+        index: f64,
+    },
 }
 
 impl Model {
-    fn of(model: scanray::Model) -> Option<Self> {
+    fn of(model: scanray::Model<f64>) -> Option<Self> {
         Some(match model {
             scanray::Model::Flat => Self::Flat,
             scanray::Model::Phong => Self::Phong,
+            scanray::Model::BlinnPhong => Self::BlinnPhong,
+            scanray::Model::CookTorrance(CookTorrance { roughness, index }) => {
+                Self::CookTorrance { roughness, index }
+            }
             _ => return None,
         })
     }
 
-    fn in_core(self) -> scanray::Model {
+    fn in_number<S: HostNumber>(self) -> scanray::Model<S> {
         match self {
             Self::Flat => scanray::Model::Flat,
             Self::Phong => scanray::Model::Phong,
+            Self::BlinnPhong => scanray::Model::BlinnPhong,
+            Self::CookTorrance { roughness, index } => {
+                scanray::Model::CookTorrance(CookTorrance::new(S::round(roughness), S::round(index)))
+            }
         }
     }
 }
@@ -77,7 +95,7 @@ impl Material {
         let color = self.color.map_or(Rgb::BLACK, Color::in_number);
         let texture = self.texture.as_ref().map_or(scanray::Texture::Solid(color), Texture::in_number);
         let mut material = scanray::Material::textured(texture);
-        material.model = self.model.map_or(material.model, Model::in_core);
+        material.model = self.model.map_or(material.model, Model::in_number);
         material.ambient = self.ambient.map_or(material.ambient, S::round);
         material.specular = self.specular.map_or(material.specular, Color::in_number);
         material.shininess = self.shininess.unwrap_or(material.shininess);

@@ -1,11 +1,4 @@
-//! Reflection models: how much of the light from one direction goes into another.
-
-use crate::math::{Scalar, Vec3};
-
-/// Answers Lambert's diffuse factor `n.l`, at least 0 (row L2).
-pub fn lambert<S: Scalar>(normal: Vec3<S>, to_light: Vec3<S>) -> S {
-    normal.dot(to_light).max(S::ZERO)
-}
+use crate::math::Scalar;
 
 /// Answers Phong's specular factor `(r.v)^n` with `r = 2 (n.l) n - l`, at least 0 (row L3).
 ///
@@ -23,16 +16,11 @@ pub fn phong<S: Scalar>([normal_light, normal_eye, light_eye]: [S; 3], shininess
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::Vec3;
 
     const UP: Vec3<f64> = Vec3::new(0.0, 1.0, 0.0);
     /// To the light, 30 degrees off the normal.
     const LIGHT: Vec3<f64> = Vec3::new(0.5, 0.866_025_403_784_438_6, 0.0);
-
-    #[test]
-    fn diffuse_light_falls_with_the_cosine_and_never_below_zero() {
-        assert!((lambert(UP, LIGHT) - 0.75_f64.sqrt()).abs() < 1e-12);
-        assert_eq!(lambert(UP, -LIGHT), 0.0);
-    }
 
     #[test]
     fn a_highlight_is_brightest_in_the_mirror_direction_and_a_power_of_the_cosine_beside_it() {
