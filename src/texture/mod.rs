@@ -56,7 +56,8 @@ impl<S: Scalar> Texture<S> {
             Self::Stripes(stripes) => stripes.color(surface.u, surface.v),
             Self::Rings(rings) => rings.color(surface.u, surface.v),
             Self::Image(image) => image.color(surface.u, surface.v),
-            Self::Custom(procedural) => procedural.color(surface),
+            // A copy: what has its address handed out stays in memory for every texture.
+            Self::Custom(procedural) => procedural.color(&{ *surface }),
         }
     }
 
@@ -71,7 +72,7 @@ impl<S: Scalar> Texture<S> {
             Self::Rings(rings) => rings.tile(surface.u, surface.v),
             Self::Image(image) => image.tile(surface.u, surface.v),
             Self::Custom(procedural) => {
-                let Rgb { r, g, b } = procedural.color(surface);
+                let Rgb { r, g, b } = procedural.color(&{ *surface });
                 r.light_bits() ^ g.light_bits().rotate_left(11) ^ b.light_bits().rotate_left(22)
             }
         }

@@ -1,6 +1,6 @@
 use super::departure::Departure;
 use super::observer::Observer;
-use super::shade::{Site, unshadowed};
+use super::shade::{Shader, Site};
 use super::tracer::tile;
 use crate::color::Rgb;
 use crate::hit::Crossing;
@@ -39,5 +39,6 @@ pub(crate) fn direct_light<S: Scalar, X: Intersect<S>>(
         level: 0,
         lane: 0,
     };
-    Some(unshadowed(scene, &site, observer))
+    let mut shader = Shader::<S, X, false> { scene, vicinities: None };
+    Some(shader.direct(&site, observer))
 }

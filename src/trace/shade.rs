@@ -33,22 +33,35 @@ pub(super) struct Site<'a, S: Scalar> {
     pub lane: u8,
 }
 
-/// Lights surfaces.
-pub(super) struct Shader<'a, 's, S: Scalar, X> {
+/// Lights surfaces, with shadows or as if nothing stood between them and the lights.
+pub(super) struct Shader<'a, 's, S: Scalar, X, const SHADOWS: bool = true> {
     pub scene: &'s Scene<'a, S, X>,
     /// What is remembered of shadows; without it every object is asked every time.
     pub vicinities: Option<&'s mut Vicinities<S>>,
 }
 
-impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
+impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADOWS> {
     /// Answers the light that a surface sends to the viewer, mirrors left out (rows L1, L2, L3, L7):
     /// `Ia kd + sum of fs l kd (n.L) + fs l ks (r.v)^n`.
     #[inline(always)]
     pub fn direct(&mut self, site: &Site<'_, S>, observer: &mut impl Observer) -> Rgb<S> {
-        let scene = self.scene;
-        reflected(scene, site, observer, |number, direction, distance, observer| {
-            self.shadowed(site, number, direction, distance, observer)
-        })
+        let color = site.material.texture.color(&site.surface);
+        if matches!(site.material.model, Model::Flat) {
+            return color;
+        }
+        let mut sum = site.ambient * color;
+        for (number, light) in (0..).zip(self.scene.lights) {
+            let Some((direction, distance)) = facing(light, &site.surface) else { continue };
+            let cosine = brdf::lambert(site.surface.normal, direction);
+            if cosine > S::ZERO
+                && let Some(arriving) = light.arriving(direction)
+                && !self.shadowed(site, number, direction, distance, observer)
+            {
+                observer.lit(site.lane, number);
+                sum += arriving * (color * cosine + highlight(site, direction, cosine));
+            }
+        }
+        sum
     }
 
     /// Tells whether anything stands between the surface and a light.
@@ -61,6 +74,9 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
         distance: S,
         observer: &mut impl Observer,
     ) -> bool {
+        if !SHADOWS {
+            return false;
+        }
         observer.ray(RayKind::Shadow);
         let point = site.surface.point;
         let query = || Query {
@@ -76,43 +92,6 @@ impl<S: Scalar, X: Intersect<S>> Shader<'_, '_, S, X> {
     }
 }
 
-/// Answers the light that a surface sends to the viewer where nothing stands between it and the lights.
-pub(super) fn unshadowed<S: Scalar, X>(
-    scene: &Scene<'_, S, X>,
-    site: &Site<'_, S>,
-    observer: &mut impl Observer,
-) -> Rgb<S> {
-    reflected(scene, site, observer, |_, _, _, _| false)
-}
-
-/// Sums ambient light and that of each light which `shadowed`, asked by its number, direction and
-/// distance, does not keep off.
-#[inline(always)]
-fn reflected<S: Scalar, X, O: Observer>(
-    scene: &Scene<'_, S, X>,
-    site: &Site<'_, S>,
-    observer: &mut O,
-    mut shadowed: impl FnMut(u16, Vec3<S>, S, &mut O) -> bool,
-) -> Rgb<S> {
-    let color = site.material.texture.color(&site.surface);
-    if matches!(site.material.model, Model::Flat) {
-        return color;
-    }
-    let mut sum = site.ambient * color;
-    for (number, light) in (0..).zip(scene.lights) {
-        let Some((direction, distance)) = facing(light, &site.surface) else { continue };
-        let cosine = brdf::lambert(site.surface.normal, direction);
-        if cosine > S::ZERO
-            && let Some(arriving) = light.arriving(direction)
-            && !shadowed(number, direction, distance, observer)
-        {
-            observer.lit(site.lane, number);
-            sum += arriving * (color * cosine + highlight(site, direction, cosine));
-        }
-    }
-    sum
-}
-
 /// Answers direction and distance of a light; `None` where the surface faces away from it, and for
 /// a light on the surface.
 fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>, S)> {
@@ -126,6 +105,8 @@ fn facing<S: Scalar>(light: &Light<S>, surface: &Surface<S>) -> Option<(Vec3<S>,
     }
 }
 
+// A call would be handed the whole site, which then is written to memory: 40 instructions a pixel.
+#[inline(always)]
 fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>, cosine: S) -> Rgb<S> {
     let material = site.material;
     if !material.specular.is_lit() {
