@@ -59,9 +59,9 @@ const fn is_mode(name: &[u8]) -> bool {
 }
 
 /// Is the scene with its camera and settings.
-pub static VIEW: View<Number> = find(&number::VIEWS, SCENE);
+pub static VIEW: View<Number> = find(number::VIEWS, SCENE);
 /// Counts the bounces that the scene's rays may take.
-pub const DEPTH: usize = find(&number::VIEWS, SCENE).settings.depth as usize;
+pub const DEPTH: usize = find(number::VIEWS, SCENE).settings.depth as usize;
 /// Counts the picture's columns.
 pub const WIDTH: u32 = 320;
 /// Counts the picture's rows.

@@ -33,6 +33,32 @@ pub const SIZE: [u32; 2] = [320, 240];
 pub const SCENES: [&str; 6] =
     ["three-spheres", "tinyraytracer", "c-ray", "playdate", "business-card", "simple"];
 
+/// Names the scenes of which each shows a thing that the others do without: what it costs.
+pub const SHOWS: [&str; 12] = [
+    "glass",
+    "stars",
+    "still-life",
+    "smooth",
+    "textured",
+    "bump",
+    "displaced",
+    "environment",
+    "material-table",
+    "spots",
+    "color-chart",
+    "z-buffer",
+];
+
+/// Names the ways in which a scene is drawn for the table: all of those for the peers' scenes.
+fn modes(scene: &str) -> &'static [&'static str] {
+    match scene {
+        "three-spheres" | "simple" => &["exact", "adaptive", "raster"],
+        "z-buffer" => &["exact", "raster"],
+        _ if SHOWS.contains(&scene) => &["exact"],
+        _ => &["exact", "adaptive"],
+    }
+}
+
 /// Chooses what to measure; nothing chosen is everything.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Choice<'a> {
@@ -47,7 +73,7 @@ impl Choice<'_> {
     pub fn scenes(&self) -> Vec<Entry> {
         match self.scene {
             Some(name) => scenes::find(name).into_iter().collect(),
-            None => SCENES.iter().filter_map(|name| scenes::find(name)).collect(),
+            None => SCENES.iter().chain(&SHOWS).filter_map(|name| scenes::find(name)).collect(),
         }
     }
 
@@ -67,7 +93,7 @@ pub fn measure(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Ro
         begin(&format!("{}: the reference", scene.name()));
         let truth = Truth::trace(scene)?;
         for chip in choice.chips() {
-            for mode in truth::MODES {
+            for mode in modes(scene.name()) {
                 let mut begin =
                     |what: &str| begin(&format!("{} on {}, {mode}: {what}", scene.name(), chip.name));
                 rows.push(measure_in(mode, chip, &truth, &mut begin)?);

@@ -2,15 +2,16 @@ use super::{Chip, Failure, SIZE};
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
 use crate::picture::{self, MAX_DEPTH};
+use crate::raster;
 use crate::scenes::{Entry, HostNumber};
 use crate::shot::{Number, Refusal};
 use embedded_graphics_core::geometry::Size;
 use scanray::gallery::View;
 use scanray::render::Quality;
-use scanray::{Adaptive, Exact, Fixed, RenderError, Renderer, Settings, Workspace};
-
-/// Names the modes that the firmware measures.
-pub const MODES: [&str; 2] = ["exact", "adaptive"];
+use scanray::{
+    Adaptive, Exact, Fixed, RasterRenderer, RasterWorkspace, RenderError, Renderer, RowError, Settings,
+    Workspace,
+};
 
 /// Is a scene with the reference's picture of it.
 pub struct Truth {
@@ -37,12 +38,34 @@ impl Truth {
 
     /// Draws the picture as a chip does in a mode, and judges it.
     pub fn judge(&self, chip: &Chip, mode: &str) -> Result<Judged, Failure> {
-        match (chip.number, mode == "adaptive") {
-            (Number::F32, false) => self.judge_in(chip, f32::view(&self.scene), Exact),
-            (Number::F32, true) => self.judge_in(chip, f32::view(&self.scene), Adaptive),
-            (_, false) => self.judge_in(chip, Fixed::view(&self.scene), Exact),
-            (_, true) => self.judge_in(chip, Fixed::view(&self.scene), Adaptive),
+        match chip.number {
+            Number::F32 => self.judge_mode(chip, mode, f32::view(&self.scene)),
+            _ => self.judge_mode(chip, mode, Fixed::view(&self.scene)),
         }
+    }
+
+    fn judge_mode<S: HostNumber>(&self, chip: &Chip, mode: &str, view: &View<S>) -> Result<Judged, Failure> {
+        match mode {
+            "raster" => self.judge_rasterized(chip, view),
+            "adaptive" => self.judge_in(chip, view, Adaptive),
+            _ => self.judge_in(chip, view, Exact),
+        }
+    }
+
+    /// Judges the z-buffer's picture; the reference has the shadows and mirrors that it lacks.
+    fn judge_rasterized<S: HostNumber>(&self, chip: &Chip, view: &View<S>) -> Result<Judged, Failure> {
+        let shown = raster::draw(view, SIZE, Panel::Rgb888, |_| ()).map_err(Refusal::from)?;
+        let figures = self.figures(chip, view.name, &shown.pixels);
+        let mut space = RasterWorkspace::<S, { SIZE[0] as usize }>::new();
+        let size = Size::new(SIZE[0], SIZE[1]);
+        let renderer = RasterRenderer::new(&view.scene, &view.camera, size, view.settings, &mut space);
+        let mut renderer = renderer.map_err(Refusal::from)?;
+        Ok(Judged { checksum: checksum_of(|y, row| renderer.render_row(y, row)), figures })
+    }
+
+    fn figures(&self, chip: &Chip, scene: &'static str, pixels: &[[u8; 3]]) -> Figures {
+        let subject = Subject { scene, number: chip.number.name(), panel: Panel::Rgb888 };
+        Figures::of(subject, pixels, &self.reference.on_panel(Panel::Rgb888), &self.reference.mask)
     }
 
     fn judge_in<S: HostNumber>(
@@ -53,9 +76,7 @@ impl Truth {
     ) -> Result<Judged, Failure> {
         let settings = view.settings.with_quality(quality);
         let shown = picture::draw(view, settings, SIZE, Panel::Rgb888, |_| ()).map_err(Refusal::from)?;
-        let subject = Subject { scene: view.name, number: chip.number.name(), panel: Panel::Rgb888 };
-        let reference = self.reference.on_panel(Panel::Rgb888);
-        let figures = Figures::of(subject, &shown.pixels, &reference, &self.reference.mask);
+        let figures = self.figures(chip, view.name, &shown.pixels);
         Ok(Judged { checksum: checksum(view, settings).map_err(Refusal::from)?, figures })
     }
 }
@@ -66,13 +87,18 @@ fn checksum<S: HostNumber>(view: &View<S>, settings: Settings<S, impl Quality>) 
     let mut space = Workspace::<S, [u8; 2], 0, MAX_DEPTH>::new();
     let size = Size::new(width, height);
     let mut renderer = Renderer::new(&view.scene, &view.camera, size, settings, &mut space)?;
+    Ok(checksum_of(|y, row| renderer.render_row(y, row)))
+}
+
+fn checksum_of(mut render_row: impl FnMut(u32, &mut [[u8; 2]]) -> Result<(), RowError>) -> u32 {
+    let [width, height] = SIZE;
     let mut row = vec![[0; 2]; width as usize];
     let mut sum = 0x811c_9dc5_u32;
     for y in 0..height {
         // The row exists and has the picture's width.
-        let _ = renderer.render_row(y, &mut row);
+        let _ = render_row(y, &mut row);
         let take = |sum: u32, byte: &u8| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
         sum = row.as_flattened().iter().fold(sum, take);
     }
-    Ok(sum)
+    sum
 }
