@@ -55,6 +55,9 @@ impl Cube {
     /// Answers the light that arrives from a unit direction.
     #[inline(never)]
     pub fn color<S: Scalar>(&self, direction: Vec3<S>) -> Rgb<S> {
+        if !cfg!(feature = "images") {
+            return Rgb::BLACK;
+        }
         let (face, spot) = self.spot(direction);
         self.faces.get(face).map_or(Rgb::BLACK, |bitmap| sample(bitmap, self.filter, &spot))
     }
@@ -63,6 +66,9 @@ impl Cube {
     /// neighbouring ones.
     #[inline(never)]
     pub fn tile<S: Scalar>(&self, direction: Vec3<S>) -> u32 {
+        if !cfg!(feature = "images") {
+            return 0;
+        }
         let (face, spot) = self.spot(direction);
         spot.number(self.filter) ^ (face as u32).rotate_right(3)
     }

@@ -129,12 +129,24 @@ impl<S: Scalar> Material<S> {
         self.texture.tile(surface) ^ bump.rotate_left(8)
     }
 
+    /// Tells whether this program was built with all that the material needs.
+    fn is_carried(&self) -> Result<(), Fault> {
+        let needs = [
+            ("images", cfg!(feature = "images"), self.texture.image().is_some() || self.bump.is_some()),
+            ("glass", cfg!(feature = "glass"), self.glass.is_some()),
+            ("models", cfg!(feature = "models"), !matches!(self.model, Model::Flat | Model::Phong)),
+        ];
+        let missing = needs.iter().find(|(_, carried, needed)| *needed && !carried);
+        missing.map_or(Ok(()), |(feature, ..)| Err(Fault::LeftOut(feature)))
+    }
+
     /// Tells what is wrong with the material, if anything.
     ///
     /// # Errors
     /// A value that no scene may contain, facets that no surface has, an image without texels or too
     /// large, or a mirror or glass that gives more light than it gets.
     pub fn check(&self) -> Result<(), Fault> {
+        self.is_carried()?;
         if let Model::CookTorrance(facets) = &self.model {
             facets.check()?;
         }

@@ -68,7 +68,9 @@ fn check_sky<S: Scalar>(sky: &Sky<S>) -> Result<(), Fault> {
             if up.is_unit() { Ok(()) } else { Err(Fault::NoDirection) }
         }
         Sky::Cube(cube) => {
-            if cube.faces.iter().all(Bitmap::fits) {
+            if !cfg!(feature = "images") {
+                Err(Fault::LeftOut("images"))
+            } else if cube.faces.iter().all(Bitmap::fits) {
                 Ok(())
             } else {
                 Err(Fault::ImageSize)

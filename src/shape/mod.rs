@@ -7,6 +7,8 @@ mod called;
 mod cone;
 mod cuboid;
 mod displaced;
+#[cfg(not(feature = "shapes"))]
+mod left_out;
 mod march;
 mod plane;
 mod polygon;
@@ -17,6 +19,8 @@ mod triangle;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use displaced::Displaced;
+#[cfg(not(feature = "shapes"))]
+pub(crate) use left_out::LeftOut;
 pub use plane::Plane;
 pub use polygon::{FillRule, Polygon};
 pub use smooth::{SmoothTriangle, Vertex};
@@ -120,10 +124,22 @@ macro_rules! dispatch {
             $crate::shape::Shape::Plane($inner) => $call,
             $crate::shape::Shape::Triangle($inner) => $call,
             $crate::shape::Shape::Cuboid($inner) => $call,
+            #[cfg(feature = "shapes")]
             $crate::shape::Shape::Polygon($inner) => $call,
+            #[cfg(feature = "shapes")]
             $crate::shape::Shape::Cone($inner) => $call,
+            #[cfg(feature = "shapes")]
             $crate::shape::Shape::SmoothTriangle($inner) => $call,
+            #[cfg(feature = "shapes")]
             $crate::shape::Shape::Displaced($inner) => $call,
+            #[cfg(not(feature = "shapes"))]
+            $crate::shape::Shape::Polygon(_)
+            | $crate::shape::Shape::Cone(_)
+            | $crate::shape::Shape::SmoothTriangle(_)
+            | $crate::shape::Shape::Displaced(_) => {
+                let $inner = &$crate::shape::LeftOut;
+                $call
+            }
             $crate::shape::Shape::Custom($inner) => $call,
         }
     };
@@ -157,7 +173,7 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
     }
 
     fn is_convex(&self) -> bool {
-        dispatch!(self, shape => shape.is_convex())
+        dispatch!(self, shape => Intersect::<S>::is_convex(shape))
     }
 
     fn hull(&self) -> Hull<S> {
@@ -165,7 +181,7 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
     }
 
     fn check(&self) -> Result<(), Fault> {
-        dispatch!(self, shape => shape.check())
+        dispatch!(self, shape => Intersect::<S>::check(shape))
     }
 }
 

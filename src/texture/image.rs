@@ -66,13 +66,20 @@ impl<S: Scalar> Image<S> {
     /// Answers the colour at texture coordinates, linear light.
     #[inline(never)]
     pub fn color(&self, u: S, v: S) -> Rgb<S> {
-        sample(&self.bitmap, self.filter, &self.spot(u, v))
+        if cfg!(feature = "images") {
+            sample(&self.bitmap, self.filter, &self.spot(u, v))
+        } else {
+            Rgb::BLACK
+        }
     }
 
     /// Answers a number of the texels that the colour at texture coordinates comes from, other for
     /// neighbouring ones and in each copy.
     #[inline(never)]
     pub fn tile(&self, u: S, v: S) -> u32 {
+        if !cfg!(feature = "images") {
+            return 0;
+        }
         let spot = self.spot(u, v);
         let [column, row] = cell(self.filter, &spot);
         let [i, j] = spot.copy.map(|copy| (copy as u32).wrapping_mul(Bitmap::LARGEST));

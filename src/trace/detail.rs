@@ -12,7 +12,7 @@ pub(super) fn refine<S: Scalar, X: Intersect<S>>(
     lanes: &mut [Lane<S>],
 ) {
     dispatch!(shape, shape => chart(shape, lanes));
-    if let Some(bump) = &material.bump {
+    if let Some(bump) = material.bump.as_ref().filter(|_| cfg!(feature = "images")) {
         lanes.iter_mut().for_each(|lane| lane.normal = bent(shape, bump, lane));
     }
 }

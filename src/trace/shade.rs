@@ -113,10 +113,12 @@ fn highlight<S: Scalar>(site: &Site<'_, S>, to_light: Vec3<S>, cosine: S) -> Rgb
         return Rgb::BLACK;
     }
     let factor = match &material.model {
-        Model::BlinnPhong => {
+        Model::BlinnPhong if cfg!(feature = "models") => {
             brdf::blinn_phong(site.surface.normal, to_light, -site.direction, material.shininess)
         }
-        Model::CookTorrance(facets) => facets.factor(site.surface.normal, to_light, -site.direction),
+        Model::CookTorrance(facets) if cfg!(feature = "models") => {
+            facets.factor(site.surface.normal, to_light, -site.direction)
+        }
         _ => {
             let cosines = [cosine, site.facing, -to_light.dot(site.direction)];
             brdf::phong(cosines, material.shininess)

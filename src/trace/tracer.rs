@@ -127,7 +127,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         let mut onward = self.light_up(0, lanes, light, observer);
         let mut level = 0;
         loop {
-            if onward.split {
+            if cfg!(feature = "glass") && onward.split {
                 for lane in lanes.iter_mut().filter(|lane| lane.splits()) {
                     self.follow_tree(level, lane, light, observer);
                     lane.weight = Rgb::BLACK;

@@ -1,4 +1,6 @@
+use super::needs::features;
 use super::{Chip, Failure};
+use crate::scenes;
 use object::{Object, ObjectSection, SectionFlags, SectionKind, elf};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -37,12 +39,15 @@ struct Built {
 }
 
 impl Image {
-    /// Builds the image of a scene for a chip, in a mode.
+    /// Builds the image of a scene for a chip, in a mode, with those features of the core that the scene
+    /// needs.
     pub fn build(chip: &Chip, scene: &str, mode: &str) -> Result<Self, Failure> {
+        let features = scenes::find(scene).map_or(String::new(), |entry| features(&entry.double.scene));
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
             .args(["--example", "measure", "--target", chip.target])
+            .args(["--no-default-features", "--features", &features])
             .current_dir(project())
             .env("RUSTFLAGS", FLAGS)
             .env_remove("CARGO_ENCODED_RUSTFLAGS")

@@ -7,6 +7,7 @@ mod chip;
 mod emulator;
 mod failure;
 mod image;
+mod needs;
 mod peers;
 mod profile;
 mod row;

@@ -1,0 +1,41 @@
+//! What a program is built without is refused by name; what it is built with is drawn.
+
+mod support;
+
+use scanray::{
+    Cone, Fault, Glass, Light, Material, Model, Object, Rgb, Scene, SceneError, Shape, Sphere, Vec3,
+};
+use support::v;
+
+const BALL: Shape = Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0));
+
+/// Checks a scene of one object against what this build ought to say of it.
+fn assert_carried(
+    feature: &'static str,
+    carried: bool,
+    shape: Shape,
+    material: Material,
+    of: fn(usize, Fault) -> SceneError,
+) {
+    let (objects, materials) = ([Object::new(shape, 0)], [material]);
+    let lights: [Light; 0] = [];
+    let said = Scene::new(&objects, &materials, &lights).check();
+    let ought = if carried { Ok(()) } else { Err(of(0, Fault::LeftOut(feature))) };
+    assert_eq!(said, ought, "{feature}");
+}
+
+#[test]
+fn a_scene_that_needs_what_was_left_out_is_refused_by_the_name_of_the_feature() {
+    let plain = Material::matte(Rgb::WHITE);
+    let cone = Shape::Cone(Cone::new(Vec3::ZERO, 1.0, v(0.0, 1.0, 0.0), 0.0));
+    assert_carried("shapes", cfg!(feature = "shapes"), cone, plain, SceneError::Object);
+    let glass = Material::matte(Rgb::BLACK).with_glass(Glass::new(1.0, 1.5));
+    assert_carried("glass", cfg!(feature = "glass"), BALL, glass, SceneError::Material);
+    let blinn = plain.with_model(Model::BlinnPhong);
+    assert_carried("models", cfg!(feature = "models"), BALL, blinn, SceneError::Material);
+}
+
+#[test]
+fn a_scene_that_needs_nothing_of_it_is_taken_by_every_build() {
+    assert_carried("", true, BALL, Material::matte(Rgb::WHITE).with_mirror(0.5), SceneError::Object);
+}
