@@ -20,6 +20,7 @@ impl Patch {
 /// row, as N. Ohta measured it (1997; ISO 17321-1:2012, table D.1).
 ///
 /// Under [`C`](super::C) it has the colours that McCamy published within a CIE 1976 difference of 2.
+#[allow(clippy::approx_constant, reason = "a reflectance of 0.318 is not 1 / pi")]
 pub const CHART: [Patch; 24] = [
     Patch::new(
         "dark skin",

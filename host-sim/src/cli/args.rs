@@ -1,5 +1,6 @@
 use super::Error;
 use crate::bench::{CHIPS, Chip};
+use crate::dither::Method;
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::scenes;
@@ -41,6 +42,8 @@ pub(super) enum Command {
     Show(ShowArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
+    /// Draw a scene for three panels by each way of rounding, and measure what it does to local means
+    Dither(DitherArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
@@ -168,6 +171,25 @@ pub(super) struct RaceArgs {
     pub runs: NonZeroUsize,
 }
 
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray dither three-spheres\n  \
+    scanray dither color-chart --transfer linear -o sheet.png")]
+pub(super) struct DitherArgs {
+    /// Scene of the gallery; `scanray list` names them
+    #[arg(value_name = "SCENE", default_value = "simple")]
+    pub scene: String,
+    /// Columns and rows of each picture, such as 160x120 [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// How light becomes levels [default: the scene's]
+    #[arg(long, value_enum)]
+    pub transfer: Option<Curve>,
+    /// File to write the sheet of pictures to [default: SCENE-dither.png in the current directory]
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+}
+
 /// Is what a picture is to look like.
 #[derive(Debug, Args)]
 pub(super) struct Look {
@@ -189,6 +211,9 @@ pub(super) struct Look {
     /// How light becomes levels [default: the scene's]
     #[arg(long, value_enum)]
     pub transfer: Option<Curve>,
+    /// How levels are rounded to those the panel has [default: the scene's]
+    #[arg(long, value_name = "METHOD")]
+    pub dither: Option<Method>,
     /// How much of the picture is traced
     #[arg(long, default_value = "exact")]
     pub quality: Quality,
@@ -207,6 +232,7 @@ impl Look {
         shot.depth = self.depth.unwrap_or(shot.depth);
         shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
+        shot.dither = self.dither.map_or(shot.dither, Method::dither);
         shot.quality = self.quality;
         Ok(shot)
     }
@@ -251,7 +277,8 @@ pub(super) enum Curve {
 }
 
 impl Curve {
-    fn transfer(self) -> Transfer {
+    /// Answers the curve itself.
+    pub fn transfer(self) -> Transfer {
         match self {
             Self::Srgb => Transfer::Srgb,
             Self::Linear => Transfer::Linear,

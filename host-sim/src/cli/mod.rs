@@ -4,6 +4,7 @@ mod adaptive;
 mod args;
 mod bench;
 mod compare;
+mod dither;
 mod error;
 mod list;
 mod progress;
@@ -63,6 +64,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
+        Command::Dither(args) => dither::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::List => list::run(&mut out)?,
