@@ -147,10 +147,10 @@ fn a_sheet_shows_three_panels_in_every_way_and_a_table_says_what_each_is_worth()
 #[test]
 fn the_sheet_among_the_pictures_is_what_the_command_draws() {
     let desk = Desk::new("sheet-kept");
-    assert!(desk.run("dither three-spheres -o sheet.png").status.success());
+    assert!(desk.run("dither three-spheres --size 160x120 -o sheet.png").status.success());
     let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../pictures/dither.png");
     let same = read(&kept) == read(&desk.0.join("sheet.png"));
-    assert!(same, "look at it, then `cargo sim dither three-spheres -o pictures/dither.png`");
+    assert!(same, "look at it, then `cargo sim dither three-spheres --size 160x120 -o pictures/dither.png`");
 }
 
 #[test]

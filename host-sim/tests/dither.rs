@@ -1,13 +1,14 @@
 //! Ways of rounding compared, and the mask of blue noise against its definition.
 
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::prelude::Size;
 use host_sim::compare::Comparison;
 use host_sim::dither::{Method, Window, error, void_and_cluster};
 use host_sim::panel::Panel;
 use host_sim::picture::{draw, trace};
-use scanray::Renderer;
-use scanray::Workspace;
 use scanray::gallery::{double, fixed};
 use scanray::output::BLUE_NOISE;
+use scanray::{Renderer, Workspace};
 
 const SIDE: usize = 16;
 
@@ -47,15 +48,12 @@ fn lit(thresholds: &[u16], share: u16) -> Vec<bool> {
 
 #[test]
 fn blue_noise_has_little_of_the_coarse_energy_of_white_noise_in_every_grey() {
-    let mut all = vec![];
     for share in (16..=240).step_by(8) {
         let blue = coarse_energy(&lit(BLUE_NOISE.as_flattened(), share));
         println!("{share} of 256: {blue:.3}");
-        assert!(blue < 0.5, "{share} of 256 pixels: {blue}");
-        all.push(blue);
+        let most = if (32..=208).contains(&share) { 0.125 } else { 0.5 };
+        assert!(blue < most, "{share} of 256 pixels: {blue}");
     }
-    let mean = all.iter().sum::<f64>() / all.len() as f64;
-    assert!(mean < 0.2, "mean {mean}");
 }
 
 #[test]
@@ -94,8 +92,6 @@ fn every_way_of_dithering_keeps_local_means_better_than_rounding_does() {
 
 #[test]
 fn the_desktop_rounds_in_every_way_as_a_device_does() {
-    use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    use embedded_graphics::prelude::Size;
     let view = fixed::BUSINESS_CARD;
     for method in Method::ALL {
         let settings = view.settings.with_dither(method.dither());
@@ -133,10 +129,10 @@ fn the_reference_rounds_in_every_way_as_the_core_does() {
             let same = pairs.filter(|(a, b)| a == b).count() as f64 / both[0].len() as f64;
             let off = error(&both[0], &both[1], 120, Window::Box);
             println!("{method:?} on {}: {same:.4} the same, means off by {off:.3}", panel.name());
-            // What a pixel of the core's table of 24-bit lights is off adds up along a diffused row, and
-            // shifts its dots: there the means are the same, and not every dot.
-            let dots = if method == Method::Diffused { 0.0 } else { 0.95 };
-            assert!(same >= dots && off < 6.0, "{method:?} on {}: {same}, {off}", panel.name());
+            // By how much the core's table is off the curve adds up along a diffused row and shifts its dots:
+            // there the means are the same, and not every dot.
+            let dots = if method == Method::Diffused { 0.6 } else { 0.99 };
+            assert!(same >= dots && off < 0.5, "{method:?} on {}: {same}, {off}", panel.name());
         }
     }
 }

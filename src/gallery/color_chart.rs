@@ -1,5 +1,5 @@
 //! One chart of 24 patches (McCamy, Marcus and Davidson 1976) under three of the CIE's illuminants: D65
-//! on the left wall, A on the right one, C on the floor.
+//! on the left wall, A on the right one, C on the floor (rows X1 and X2).
 //!
 //! Each patch is its reflectance under the lamp of its wall, found from spectra at compile time; the lamp
 //! of the scene is grey. Its light meets all three faces at the same angle, of cosine 1 / sqrt(3), and is

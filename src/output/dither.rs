@@ -16,8 +16,9 @@ pub enum Dither {
     /// Floyd and Steinberg (1976) hand most of it to the row below. Here rows do not depend on each other,
     /// which lets them be drawn in any order, on any core: each begins with a remainder of its own instead,
     /// those of neighbours as far apart as the golden ratio can keep them, and all run to the right. A part
-    /// of a row is therefore traced from its first column on, so that it comes out as the whole does.
-    /// Where a pixel is drawn without those to its left, it is rounded as by [`Self::Ordered`].
+    /// of a row is therefore traced from its first column on, so that it comes out as the whole does. An
+    /// adaptive row is filled in first and rounded then, from left to right like an exact one; a pixel that
+    /// is drawn without those to its left, as in a coarse pass, is rounded as by [`Self::Ordered`].
     Diffused,
 }
 

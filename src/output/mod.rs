@@ -9,7 +9,7 @@ mod rounding;
 mod transfer;
 
 pub use blue_noise::BLUE_NOISE;
-pub use dither::{Dither, Mask, SIDE, Thresholds};
+pub use dither::{Dither, Mask, Thresholds};
 pub(crate) use encode::light_bits;
 pub use encode::{Encode, Quantizer};
 pub use rounding::Rounding;
