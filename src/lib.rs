@@ -38,6 +38,7 @@
 //!
 //! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
 //! - [`ray`], [`hit`], [`aabb`], [`hull`], [`color`], [`fault`]: what everything else speaks of.
+//! - [`spectrum`]: colours from spectra, at compile time.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
 //! - [`texture`], [`material`], [`brdf`], [`glass`], [`light`], [`environment`]: what surfaces do with light.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
@@ -63,6 +64,7 @@ pub mod fault;
 pub mod hit;
 pub mod hull;
 pub mod ray;
+pub mod spectrum;
 
 pub mod shape;
 

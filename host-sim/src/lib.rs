@@ -4,6 +4,7 @@ pub mod bench;
 pub mod canvas;
 pub mod cli;
 pub mod compare;
+pub mod dither;
 pub mod memory;
 pub mod panel;
 pub mod picture;

@@ -9,7 +9,7 @@ use crate::scenes::{Entry, HostNumber, camera_in};
 use crate::turn::Turn;
 use scanray::gallery::View;
 use scanray::trace::RayCounts;
-use scanray::{Adaptive, Camera, Fixed, RenderError, Transfer};
+use scanray::{Adaptive, Camera, Dither, Fixed, RenderError, Transfer};
 use std::fmt;
 use std::time::{Duration, Instant};
 
@@ -78,6 +78,8 @@ pub struct Shot {
     pub depth: u8,
     /// How light becomes levels.
     pub transfer: Transfer,
+    /// How levels are rounded.
+    pub dither: Dither,
     /// How much of it is traced.
     pub quality: Quality,
     /// Who draws it; there is one reference for both.
@@ -119,6 +121,7 @@ impl Shot {
             panel: Panel::Rgb565,
             depth: view.settings.depth,
             transfer: view.settings.transfer,
+            dither: view.settings.dither,
             quality: Quality::Exact,
             approach: Approach::Trace,
         }
@@ -159,7 +162,8 @@ impl Shot {
     fn view<S: HostNumber>(&self) -> View<S> {
         let mut view = *S::view(&self.scene);
         view.camera = self.turn.carry(&camera_in(&self.camera));
-        view.settings = view.settings.with_depth(self.depth).with_transfer(self.transfer);
+        let Self { depth, transfer, dither, .. } = *self;
+        view.settings = view.settings.with_depth(depth).with_transfer(transfer).with_dither(dither);
         view
     }
 

@@ -88,9 +88,19 @@ fn the_file_holds_the_picture_the_library_makes() {
 }
 
 #[test]
-fn number_panel_depth_and_transfer_each_change_the_picture() {
+fn number_panel_depth_transfer_and_dithering_each_change_the_picture() {
     let desk = Desk::new("options");
-    let changes = ["", "--number fixed", "--panel rgb888", "--depth 1", "--transfer srgb", "--number oracle"];
+    let changes = [
+        "",
+        "--number fixed",
+        "--panel rgb888",
+        "--depth 1",
+        "--transfer srgb",
+        "--number oracle",
+        "--dither none",
+        "--dither blue-noise",
+        "--dither diffused",
+    ];
     let pictures = changes.map(|change| {
         // On 240 x 180 pixels the numbers' roundings show in some of them.
         let output = desk.run(&format!("render business-card --size 240x180 {change} -o x.png"));
@@ -115,6 +125,30 @@ fn a_step_carries_the_camera_around_and_the_last_is_the_first() {
     view.camera = view.camera.turned(1, 7);
     let film = picture::trace(&view, view.settings, [48, 32], |_| ()).unwrap();
     assert!(film.on_panel(Panel::Rgb565, view.settings.transfer, Dither::Ordered) == second);
+}
+
+#[test]
+fn a_sheet_shows_three_panels_in_every_way_and_a_table_says_what_each_is_worth() {
+    let desk = Desk::new("sheet");
+    let output = desk.run("dither simple --size 32x24");
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(desk.files(), ["simple-dither.png"]);
+    assert_eq!(read(&desk.0.join("simple-dither.png")).1, [4 * (32 + 4) + 4, 3 * (24 + 14) + 4]);
+    let text = stdout(&output);
+    for panel in ["mono", "gray4", "rgb565"] {
+        let rows =
+            text.lines().filter(|line| line.starts_with(panel)).map(|line| line.split_whitespace().nth(1));
+        assert!(rows.flatten().eq(["none", "ordered", "blue-noise", "diffused"]), "{text}");
+    }
+}
+
+#[test]
+fn the_sheet_among_the_pictures_is_what_the_command_draws() {
+    let desk = Desk::new("sheet-kept");
+    assert!(desk.run("dither three-spheres --size 160x120 -o sheet.png").status.success());
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../pictures/dither.png");
+    let same = read(&kept) == read(&desk.0.join("sheet.png"));
+    assert!(same, "look at it, then `cargo sim dither three-spheres --size 160x120 -o pictures/dither.png`");
 }
 
 #[test]
@@ -222,6 +256,7 @@ fn wrong_words_are_refused_with_a_way_out() {
     assert_refused(&desk, "render --depth 33", &["from 0 to 32"]);
     assert_refused(&desk, "render --step 3", &["3/72"]);
     assert_refused(&desk, "render --panel rgb555", &["rgb565"]);
+    assert_refused(&desk, "render --dither floyd", &["blue-noise", "diffused"]);
     assert_refused(&desk, "compare", &["no scene to compare", "--all"]);
     assert_refused(&desk, "compare simple --number oracle", &["f32, fixed and exact"]);
     assert_refused(&desk, "draw", &["draw", "--help"]);
@@ -245,10 +280,9 @@ fn a_window_without_a_display_is_refused_with_a_way_out() {
 #[test]
 fn help_is_no_error_and_gives_examples() {
     let desk = Desk::new("help");
-    for arguments in
-        ["--help", "render --help", "show --help", "compare --help", "list --help", "export --help"]
-    {
-        let output = desk.run(arguments);
+    for command in ["", "render", "show", "compare", "dither", "list", "export"] {
+        let arguments = format!("{command} --help");
+        let output = desk.run(&arguments);
         assert!(output.status.success(), "{arguments}");
         assert!(stdout(&output).contains("Examples:"), "{arguments}");
     }

@@ -49,7 +49,7 @@ macro_rules! with_helpers {
     ($($items:tt)*) => {
         #[allow(unused_imports, reason = "no scene uses everything")]
         use $crate::{camera::*, environment::*, gallery::View, glass::*, light::*, material::*, math::Vec3,
-            output::*, render::Settings, scene::*, shape::*, texture::*, color::Rgb};
+            output::*, render::Settings, scene::*, shape::*, spectrum, texture::*, color::Rgb};
         #[allow(dead_code, reason = "no scene uses everything")]
         const fn v(x: f64, y: f64, z: f64) -> Vec3<S> { Vec3::new(n(x), n(y), n(z)) }
         #[allow(dead_code, reason = "no scene uses everything")]
@@ -64,6 +64,7 @@ use {in_every_number, with_helpers};
 
 mod business_card;
 mod c_ray;
+mod color_chart;
 mod first_light;
 mod glass;
 mod mirror_levels;
@@ -111,6 +112,7 @@ macro_rules! gallery_of {
         pub mod $module {
             pub use super::business_card::$module::VIEW as BUSINESS_CARD;
             pub use super::c_ray::$module::VIEW as C_RAY;
+            pub use super::color_chart::$module::VIEW as COLOR_CHART;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::glass::$module::VIEW as GLASS;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
@@ -140,6 +142,7 @@ macro_rules! gallery_of {
                 STILL_LIFE,
                 SMOOTH,
                 Z_BUFFER,
+                COLOR_CHART,
             ];
         }
 

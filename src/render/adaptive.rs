@@ -11,7 +11,7 @@ use super::picture::Picture;
 use super::workspace::Scratch;
 use crate::camera::Row;
 use crate::math::Scalar;
-use crate::output::{Encode, Thresholds, Transfer, light_bits};
+use crate::output::{Encode, Rounding, Transfer, light_bits};
 use crate::shape::Intersect;
 use crate::trace::{Candidates, LANES, Observer, Packet, Tracer};
 use core::ops::Range;
@@ -190,15 +190,15 @@ struct Pen<'p, P> {
     places: &'p mut [P],
     /// The column of the first place.
     first: u32,
-    thresholds: &'static Thresholds,
+    rounding: Rounding,
 }
 
 impl<P: Encode> Pen<'_, P> {
     fn put(&mut self, x: u32, levels: [u32; 3]) {
+        let color = self.rounding.round(x, levels);
         // Columns left of the first come out beyond the last.
         if let Some(place) = self.places.get_mut(x.wrapping_sub(self.first) as usize) {
-            let threshold = self.thresholds[x as usize % self.thresholds.len()];
-            *place = P::from_levels(levels, u32::from(threshold));
+            *place = color;
         }
     }
 
@@ -252,11 +252,13 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
         let tracer = self.tracer(vicinities, pending);
         let marks = Marks::new(observer);
         let mut probe = Probe { tracer, packet, marks, transfer: self.settings.transfer };
-        let mut pen = Pen { places, first: columns.start, thresholds: self.settings.dither.thresholds(y) };
+        let mut pen =
+            Pen { places, first: columns.start, rounding: Rounding::of_row(self.settings.dither, y) };
         let mut block = Block::new();
         let phase = y % 2 * (STEP / 2);
         // A segment cut here, before the first column, is wide with or without what is cut off.
-        let mut x = (columns.start.saturating_sub(NARROW) + phase) / STEP * STEP;
+        let first = self.settings.dither.first_column(columns.start);
+        let mut x = (first.saturating_sub(NARROW) + phase) / STEP * STEP;
         x = x.saturating_sub(phase);
         spans.enter_row(&self.scene, &self.frame, y);
         let mut row = self.frame.row(y, x);

@@ -166,7 +166,8 @@ where
     /// Draws a part of the picture, given in the picture's own pixels, where it belongs when the
     /// picture's upper left corner is at a point of the display.
     ///
-    /// What of `part` lies outside the picture is not drawn.
+    /// What of `part` lies outside the picture is not drawn. With
+    /// [`Dither::Diffused`](crate::Dither::Diffused) its rows are traced from the picture's left edge on.
     ///
     /// # Errors
     /// The display's own error, untouched.

@@ -1,5 +1,6 @@
 use super::Error;
 use crate::bench::{CHIPS, Chip};
+use crate::dither::Method;
 use crate::panel::Panel;
 use crate::picture::{MAX_DEPTH, MAX_SIDE};
 use crate::scenes;
@@ -42,6 +43,8 @@ pub(super) enum Command {
     Compare(CompareArgs),
     /// Draw a scene by the tracer and by the z-buffer side by side, and tell what each has done
     Approaches(ApproachesArgs),
+    /// Draw a scene for three panels by each way of rounding, and measure what it does to local means
+    Dither(DitherArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
@@ -217,6 +220,25 @@ pub(super) struct ExportArgs {
     pub output: Option<PathBuf>,
 }
 
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    scanray dither three-spheres\n  \
+    scanray dither color-chart --transfer linear -o sheet.png")]
+pub(super) struct DitherArgs {
+    /// Scene of the gallery; `scanray list` names them
+    #[arg(value_name = "SCENE", default_value = "simple")]
+    pub scene: String,
+    /// Columns and rows of each picture, such as 160x120 [default: the scene's]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// How light becomes levels [default: the scene's]
+    #[arg(long, value_enum)]
+    pub transfer: Option<Curve>,
+    /// File to write the sheet of pictures to [default: SCENE-dither.png in the current directory]
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
+}
+
 /// Is what a picture is to look like.
 #[derive(Debug, Args)]
 pub(super) struct Look {
@@ -238,6 +260,9 @@ pub(super) struct Look {
     /// How light becomes levels [default: the scene's]
     #[arg(long, value_enum)]
     pub transfer: Option<Curve>,
+    /// How levels are rounded to those the panel has [default: the scene's]
+    #[arg(long, value_name = "METHOD")]
+    pub dither: Option<Method>,
     /// How much of the picture is traced
     #[arg(long, default_value = "exact")]
     pub quality: Quality,
@@ -259,6 +284,7 @@ impl Look {
         shot.depth = self.depth.unwrap_or(shot.depth);
         shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
+        shot.dither = self.dither.map_or(shot.dither, Method::dither);
         shot.quality = self.quality;
         shot.approach = self.approach;
         Ok(shot)
@@ -308,7 +334,8 @@ pub(super) enum Curve {
 }
 
 impl Curve {
-    fn transfer(self) -> Transfer {
+    /// Answers the curve itself.
+    pub fn transfer(self) -> Transfer {
         match self {
             Self::Srgb => Transfer::Srgb,
             Self::Linear => Transfer::Linear,

@@ -5,6 +5,7 @@ mod approaches;
 mod args;
 mod bench;
 mod compare;
+mod dither;
 mod error;
 mod export;
 mod list;
@@ -66,6 +67,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Show(args) => render::show(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Approaches(args) => approaches::run(args, &mut out)?,
+        Command::Dither(args) => dither::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,

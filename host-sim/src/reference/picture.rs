@@ -56,9 +56,9 @@ impl Picture {
     /// Answers what a panel shows, in 8 bits a channel, with exact curves and thresholds.
     pub fn on_panel(&self, output: Output) -> Vec<[u8; 3]> {
         let display = Display::of(output);
-        let columns = self.size[0] as usize;
-        let shown = |(i, light): (usize, &Vector)| display.shown(*light, i % columns, i / columns);
-        self.light.iter().enumerate().map(shown).collect()
+        let columns = self.size[0].max(1) as usize;
+        let rows = self.light.chunks(columns).enumerate();
+        rows.flat_map(|(y, light)| display.row(light, y)).collect()
     }
 
     /// Marks the pixels beside an edge of whatever is seen: of an object, a face, a tile, a shadow
