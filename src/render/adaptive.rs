@@ -49,9 +49,13 @@ impl Sample {
 
     /// Tells whether two samples saw the same in about the same colour.
     fn agrees(&self, other: &Self) -> bool {
-        let close = |(a, b): (&u16, &u16)| a.abs_diff(*b) <= ALIKE;
-        self.mark == other.mark && self.levels.iter().zip(&other.levels).all(close)
+        self.mark == other.mark && are_alike(&self.levels, &other.levels)
     }
+}
+
+/// Tells whether no level of two pixels is further from the other's than [`ALIKE`].
+pub(super) fn are_alike(a: &[u16; 3], b: &[u16; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= ALIKE)
 }
 
 /// Holds some samples of a segment, each with the way to the next.
@@ -165,9 +169,7 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
         self.marks.clear();
         let light = self.tracer.radiance(self.packet, rays, candidates, &mut self.marks);
         for ((place, light), mark) in wanted.iter().zip(light).zip(self.marks.marks()) {
-            // White is 2^16, and the level below it is rounded to the same by every threshold there is.
-            let white = u32::from(u16::MAX);
-            let levels = P::levels(light_bits(*light), self.transfer).map(|level| level.min(white) as u16);
+            let levels = P::levels(light_bits(*light), self.transfer).map(short);
             let sample = Sample { levels, mark: *mark, ..block.at(*place) };
             block.set(*place, sample);
         }
@@ -280,6 +282,11 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
             x = stop;
         }
     }
+}
+
+/// Answers a level in 16 bits: white is 2^16, and the level below it is rounded to the same by every threshold.
+pub(super) fn short(level: u32) -> u16 {
+    level.min(u32::from(u16::MAX)) as u16
 }
 
 /// Answers 2^14 divided by each number up to a step, rounded down.

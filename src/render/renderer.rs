@@ -1,5 +1,5 @@
 use super::picture::Picture;
-use super::{Exact, Quality, RenderError, RowError, Settings, Workspace};
+use super::{Exact, Quality, RenderError, RowError, Settings, Workspace, pattern};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::math::Scalar;
@@ -20,8 +20,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// whatever order it is asked for.
 #[derive(Debug)]
 pub struct Renderer<'a, 'w, S: Scalar, C, const WIDTH: usize, const DEPTH: usize, X = Infallible, Q = Exact> {
-    picture: Picture<'a, S, X, Q>,
-    workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
+    pub(super) picture: Picture<'a, S, X, Q>,
+    pub(super) workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
 }
 
 impl<'a, 'w, S, C, const WIDTH: usize, const DEPTH: usize, X, Q> Renderer<'a, 'w, S, C, WIDTH, DEPTH, X, Q>
@@ -53,6 +53,10 @@ where
         if !(settings.exposure >= S::ZERO && settings.exposure.in_range()) {
             return Err(RenderError::Exposure);
         }
+        let pattern = settings.quality.pattern();
+        if !pattern.is_sound() {
+            return Err(RenderError::Samples { side: pattern.side(), most: pattern::MOST });
+        }
         let frame = camera.frame(size.width, size.height)?;
         workspace.scratch.spans.enter_picture(scene, &frame);
         workspace.scratch.vicinities.clear();
@@ -75,8 +79,8 @@ where
 
     /// Traces the pixels `columns` of row `y` and hands each its linear light, left to right.
     ///
-    /// Columns beyond the picture are left out. Every pixel is traced, whatever the quality: pixels are
-    /// filled in on their way to a panel, in its levels.
+    /// Columns beyond the picture are left out. With [`Adaptive`](crate::Adaptive) too every pixel is traced:
+    /// pixels are filled in on their way to a panel, in its levels.
     ///
     /// # Errors
     /// [`RowError::NoSuchRow`] below the picture.
@@ -178,6 +182,16 @@ where
         corner: Point,
         target: &mut D,
     ) -> Result<(), D::Error> {
+        self.watch_part(part, corner, target, &mut ())
+    }
+
+    pub(super) fn watch_part<D: DrawTarget<Color = C>>(
+        &mut self,
+        part: &Rectangle,
+        corner: Point,
+        target: &mut D,
+        observer: &mut impl Observer,
+    ) -> Result<(), D::Error> {
         const { assert!(WIDTH > 0, "drawing needs a workspace with room for a row") };
         let part = part.intersection(&Rectangle::new(Point::zero(), self.picture.size));
         if part.is_zero_sized() {
@@ -189,7 +203,7 @@ where
         // No row is longer than WIDTH: `new` has seen to it.
         let (pixels, _) = scanline.split_at_mut(columns.len().min(WIDTH));
         for y in top as u32..top as u32 + part.size.height {
-            self.picture.encode_row(scratch, y, columns.clone(), pixels, &mut ());
+            self.picture.encode_row(scratch, y, columns.clone(), pixels, observer);
             let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
             let row = Rectangle::new(place, Size::new(part.size.width, 1));
             target.fill_contiguous(&row, pixels.iter().copied())?;
