@@ -34,11 +34,12 @@ impl<S: Scalar> Probe<S> {
         self.mark == other.mark && are_alike(&self.levels, &other.levels)
     }
 
-    /// Answers the light of a pixel from its probe and those beside it; `None` on an edge.
+    /// Answers the light of a pixel from its probe and those beside it; `None` on an edge, and at the end of
+    /// a row, where nobody knows what lies on one side.
     ///
     /// The neighbours' mean is the light at the pixel's other end.
     fn smooth(&self, before: Option<Self>, after: Option<Self>) -> Option<Rgb<S>> {
-        let (before, after) = (before.or(after)?, after.or(before)?);
+        let (before, after) = (before?, after?);
         let other_end = (before.light + after.light) * S::HALF;
         (self.agrees(&before) && self.agrees(&after)).then(|| (self.light + other_end) * S::HALF)
     }

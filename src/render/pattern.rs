@@ -115,7 +115,8 @@ mod tests {
     fn neighbours_scatter_unlike_each_other() {
         let pattern = Pattern::scattered(2);
         let pixel = |x, y| [0, 1, 2, 3].map(|number| pattern.place([x, y], number));
-        let alike = (0..400).filter(|x| pixel(*x, 9) == pixel(x + 1, 9) || pixel(*x, 9) == pixel(*x, 10)).count();
+        let alike =
+            (0..400).filter(|x| pixel(*x, 9) == pixel(x + 1, 9) || pixel(*x, 9) == pixel(*x, 10)).count();
         assert!(alike <= 2, "{alike} of 400");
     }
 }

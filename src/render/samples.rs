@@ -85,7 +85,9 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Sampler<'_, '_, '_, S, X, O> {
                     let here = next;
                     row.skip_to(here.x);
                     next = grid.after(here, stride);
-                    (here.x < stop).then(|| grid.ray(row, here)).map(|primary| (primary.ray, primary.interval))
+                    (here.x < stop)
+                        .then(|| grid.ray(row, here))
+                        .map(|primary| (primary.ray, primary.interval))
                 });
                 for light in tracer.radiance(packet, rays, spans.candidates(), *observer) {
                     mean.add(sample.number, *light);
@@ -138,9 +140,10 @@ impl<S: Scalar> Grid<S> {
         if self.pattern == Pattern::MIDDLE {
             return row.here();
         }
-        let [right, down] = self.pattern.place([x, self.y], number).map(|place| {
-            S::from_i32(2 * place as i32 + 1 - i32::from(self.pattern.lines())) * self.half
-        });
+        let [right, down] = self
+            .pattern
+            .place([x, self.y], number)
+            .map(|place| S::from_i32(2 * place as i32 + 1 - i32::from(self.pattern.lines())) * self.half);
         row.beside(self.sides[0].mul_wide(right) + self.sides[1].mul_wide(down))
     }
 }
