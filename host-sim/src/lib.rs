@@ -1,5 +1,6 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
 
+pub mod animation;
 pub mod bench;
 pub mod canvas;
 pub mod cli;
@@ -10,6 +11,7 @@ pub mod picture;
 pub mod png;
 pub mod race;
 pub mod reference;
+pub mod refine;
 pub mod scenes;
 pub mod shot;
 pub mod show;

@@ -1,7 +1,7 @@
 //! Panels: the colour formats of displays, and what their pixels look like.
 
 use embedded_graphics_core::pixelcolor::{
-    BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb666, Rgb888, RgbColor,
+    BinaryColor, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 use scanray::math::Scalar;
 use scanray::output::Quantizer;
@@ -35,10 +35,14 @@ fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
 
 /// Is a pixel before it is rounded for its panel, so that one renderer serves all panels of colours and
 /// one all panels of greys.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unrounded<const GRAY: bool> {
     levels: [u32; 3],
     threshold: u32,
+}
+
+impl<const GRAY: bool> PixelColor for Unrounded<GRAY> {
+    type Raw = ();
 }
 
 impl<const GRAY: bool> Encode for Unrounded<GRAY> {

@@ -53,6 +53,11 @@ pub struct Jittered(pub u8);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtEdges<P>(pub P);
 
+impl Uniform {
+    /// Is the largest n.
+    pub const MOST: u8 = super::pattern::MOST;
+}
+
 impl Default for Uniform {
     fn default() -> Self {
         Self(2)

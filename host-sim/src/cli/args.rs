@@ -3,10 +3,10 @@ use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::scenes;
-use crate::shot::{Number, Quality, Shot};
+use crate::shot::{Number, Quality, Sampling, Shot};
 use crate::turn::Turn;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use scanray::Transfer;
+use scanray::{Transfer, Uniform};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -39,6 +39,8 @@ pub(super) enum Command {
     Render(RenderArgs),
     /// Walk around a scene in a window; H in the window names the keys
     Show(ShowArgs),
+    /// Draw a scene in coarse blocks that become finer, into an animated GIF
+    Progressive(ProgressiveArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
@@ -53,7 +55,8 @@ pub(super) enum Command {
 #[command(after_help = "Examples:\n  \
     scanray render\n  \
     scanray render c-ray --number fixed --size 160x120 -o small.png\n  \
-    scanray render mirror-levels --depth 4 --panel gray4")]
+    scanray render mirror-levels --depth 4 --panel gray4\n  \
+    scanray render three-spheres --samples 3 --adaptive-samples")]
 pub(super) struct RenderArgs {
     #[command(flatten)]
     pub look: Look,
@@ -87,10 +90,27 @@ pub(super) struct ShowArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
+    scanray progressive three-spheres\n  \
+    scanray progressive c-ray --number fixed --block 32 -o c-ray.gif\n\n\
+    A frame is shown for each 1/32 of the rays, so that times are to each other as on a device.")]
+pub(super) struct ProgressiveArgs {
+    #[command(flatten)]
+    pub look: Look,
+    /// Pixels along a side of the first blocks, a power of two up to 128
+    #[arg(long, value_name = "N", default_value = "16")]
+    pub block: u8,
+    /// File to write the animation to [default: SCENE.gif in the current directory]
+    #[arg(short, long, value_name = "FILE.gif")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
     scanray compare simple\n  \
     scanray compare --all --panel rgb565\n  \
     scanray compare --all --json\n  \
     scanray compare --all --quality adaptive --panel rgb565\n  \
+    scanray compare --all --samples 3 --adaptive-samples\n  \
     scanray compare c-ray --number fixed -o pictures")]
 pub(super) struct CompareArgs {
     /// Scene to compare
@@ -102,9 +122,9 @@ pub(super) struct CompareArgs {
     /// Judge this number only: f32, fixed or exact [default: all three]
     #[arg(long, value_parser = judged)]
     pub number: Option<Number>,
-    /// Judge pictures of this quality; adaptive ones are compared with the exact ones of the same number
-    #[arg(long, default_value = "exact")]
-    pub quality: Quality,
+    /// Pictures that are adaptive, or sampled at edges, are compared with those that are not
+    #[command(flatten)]
+    pub rays: Rays,
     /// Colour format in which pixels are compared
     #[arg(long, default_value = "rgb888")]
     pub panel: Panel,
@@ -189,9 +209,8 @@ pub(super) struct Look {
     /// How light becomes levels [default: the scene's]
     #[arg(long, value_enum)]
     pub transfer: Option<Curve>,
-    /// How much of the picture is traced
-    #[arg(long, default_value = "exact")]
-    pub quality: Quality,
+    #[command(flatten)]
+    pub rays: Rays,
     /// Step K of N of a turn around the point that the camera looks at
     #[arg(long, value_name = "K/N")]
     pub step: Option<Turn>,
@@ -207,8 +226,33 @@ impl Look {
         shot.depth = self.depth.unwrap_or(shot.depth);
         shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
-        shot.quality = self.quality;
+        shot.quality = self.rays.quality();
         Ok(shot)
+    }
+}
+
+/// Is how many rays a picture takes.
+#[derive(Debug, Args)]
+pub(super) struct Rays {
+    /// How much of the picture is traced
+    #[arg(long, default_value = "exact")]
+    quality: Quality,
+    /// Trace N x N rays a pixel and average their light
+    #[arg(long, value_name = "N", value_parser = samples, conflicts_with = "quality")]
+    samples: Option<u8>,
+    /// Scatter the rays of a pixel: noise in place of false patterns
+    #[arg(long, requires = "samples")]
+    jitter: bool,
+    /// Trace N x N rays only through pixels on an edge, and one through each other
+    #[arg(long, requires = "samples")]
+    adaptive_samples: bool,
+}
+
+impl Rays {
+    /// Answers the quality that is asked for.
+    pub fn quality(&self) -> Quality {
+        let (jittered, at_edges) = (self.jitter, self.adaptive_samples);
+        self.samples.map_or(self.quality, |side| Quality::Sampled(Sampling { side, jittered, at_edges }))
     }
 }
 
@@ -234,6 +278,11 @@ fn judged(text: &str) -> Result<Number, String> {
 fn chip(text: &str) -> Result<&'static Chip, String> {
     let names = CHIPS.each_ref().map(|chip| chip.name);
     Chip::find(text).ok_or_else(|| format!("the chips are {}", names.join(", ")))
+}
+
+fn samples(text: &str) -> Result<u8, String> {
+    let side = text.parse().ok().filter(|side| (1..=Uniform::MOST).contains(side));
+    side.ok_or_else(|| format!("N is a number from 1 to {}, such as 2 for 4 rays a pixel", Uniform::MOST))
 }
 
 fn depth(text: &str) -> Result<u8, String> {

@@ -7,6 +7,7 @@ mod compare;
 mod error;
 mod list;
 mod progress;
+mod progressive;
 mod race;
 mod render;
 mod report;
@@ -62,6 +63,7 @@ fn execute(command: &Command) -> Result<(), Error> {
     match command {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
+        Command::Progressive(args) => progressive::run(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
