@@ -49,10 +49,10 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         y: u32,
         columns: Range<u32>,
         observer: &mut impl Observer,
-        mut pixel: impl FnMut(u32, Rgb<S>),
+        pixel: impl FnMut(u32, Rgb<S>),
     ) {
         let mut sampler = self.sampler(scratch, [columns.start, y], &[], observer);
-        sampler.trace(columns, |x, light| pixel(x, light));
+        sampler.trace(columns, pixel);
     }
 }
 
