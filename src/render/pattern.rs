@@ -1,3 +1,5 @@
+use super::RenderError;
+
 /// Is the most squares along a side of a pixel.
 pub const MOST: u8 = 8;
 
@@ -32,14 +34,12 @@ impl Pattern {
         Self { side, places: PLACES }
     }
 
-    /// Answers how many squares there are along a side.
-    pub fn side(self) -> u8 {
-        self.side
-    }
-
-    /// Tells whether there are at least one square and at most as many as there may be.
-    pub fn is_sound(self) -> bool {
-        (1..=MOST).contains(&self.side)
+    /// Tells whether there are too few squares, or too many.
+    pub fn check(self) -> Result<(), RenderError> {
+        match self.side {
+            1..=MOST => Ok(()),
+            side => Err(RenderError::Samples { side, most: MOST }),
+        }
     }
 
     /// Answers how many rays a pixel takes.

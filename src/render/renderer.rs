@@ -1,5 +1,5 @@
 use super::picture::Picture;
-use super::{Exact, Quality, RenderError, RowError, Settings, Workspace, pattern};
+use super::{Exact, Quality, RenderError, RowError, Settings, Workspace};
 use crate::camera::Camera;
 use crate::color::Rgb;
 use crate::math::Scalar;
@@ -53,10 +53,7 @@ where
         if !(settings.exposure >= S::ZERO && settings.exposure.in_range()) {
             return Err(RenderError::Exposure);
         }
-        let pattern = settings.quality.pattern();
-        if !pattern.is_sound() {
-            return Err(RenderError::Samples { side: pattern.side(), most: pattern::MOST });
-        }
+        settings.quality.pattern().check()?;
         let frame = camera.frame(size.width, size.height)?;
         workspace.scratch.spans.enter_picture(scene, &frame);
         workspace.scratch.vicinities.clear();
