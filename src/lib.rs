@@ -44,7 +44,8 @@
 //! - [`camera`]: which ray belongs to which pixel.
 //! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
 //! - [`output`]: from linear light to the panel's bits.
-//! - [`render`]: [`Renderer`] and [`Workspace`].
+//! - [`render`]: [`Renderer`] and [`Workspace`]; how many rays a picture takes ([`Quality`]), and pictures that
+//!   become finer ([`Progress`]).
 //! - [`gallery`]: scenes ready to draw, in every number.
 //!
 //! The numbers are types, not features: no flag changes a picture.

@@ -1,7 +1,7 @@
 //! What rendering takes of RAM.
 
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
-use scanray::{Fixed, Workspace};
+use scanray::{Fixed, Progress, Workspace};
 
 /// Is the formula of the documentation.
 const fn formula(width: usize, color: usize) -> usize {
@@ -26,4 +26,9 @@ fn a_workspace_takes_what_its_formula_says_and_hardly_less() {
 fn a_row_of_320_pixels_takes_less_than_two_kilobytes() {
     assert!(size_of::<Workspace<f32, Rgb565, 320, 5>>() < 2048);
     assert!(size_of::<Workspace<Fixed, Rgb565, 320, 5>>() < 2048);
+}
+
+#[test]
+fn a_picture_that_becomes_finer_keeps_eight_bytes() {
+    assert!(size_of::<Progress>() <= 8);
 }

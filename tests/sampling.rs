@@ -4,7 +4,7 @@ mod support;
 
 use scanray::gallery::{Gallery, View};
 use scanray::render::Quality;
-use scanray::trace::{Observer, RayCounts, RayKind};
+use scanray::trace::{Observer, RayCounts};
 use scanray::*;
 use support::film;
 
@@ -205,15 +205,6 @@ fn sampling_at_edges_takes_two_fifths_of_the_rays_for_nearly_the_same_picture_in
     edges_are_nearly_as_good_as_all::<Fixed>();
 }
 
-/// Counts what a picture without any edge would be spared of.
-struct Primaries(u64);
-
-impl Observer for Primaries {
-    fn ray(&mut self, kind: RayKind) {
-        self.0 += u64::from(kind == RayKind::Primary);
-    }
-}
-
 #[test]
 fn a_picture_without_edges_takes_one_ray_a_pixel_and_a_level_edge_is_noticed() {
     let materials = whites();
@@ -221,10 +212,10 @@ fn a_picture_without_edges_takes_one_ray_a_pixel_and_a_level_edge_is_noticed() {
         let low = Vec3::new(-9.0, -90.0, -3.0);
         let objects = [Object::new(Shape::Cuboid(Cuboid::new(low, Vec3::new(99.0, -high, -2.0))), 0)];
         let (scene, camera) = flat_view(&objects, &materials, [20, rows]);
-        let mut count = Primaries(0);
+        let mut count = RayCounts::default();
         let settings = Settings::new().with_quality(AtEdges(Uniform(4)));
         let light = film(&scene, &camera, [20, u32::from(rows)], settings, &mut count);
-        (count.0, light)
+        (count.primary, light)
     };
     // One ray each, and 16 for the first and the last pixel of each row.
     let ends = 5 * 2 * 16;

@@ -22,8 +22,8 @@ impl<W: Write> Animation<W> {
         Ok(Self(encoder))
     }
 
-    /// Shows some rows of a picture as wide as the animation over what is shown already, for so many hundredths
-    /// of a second.
+    /// Shows some rows of a picture as wide as the animation over what is shown already, for so many
+    /// hundredths of a second.
     ///
     /// # Errors
     /// What the writer says; rows that the picture does not have.

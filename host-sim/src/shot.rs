@@ -226,8 +226,7 @@ impl fmt::Display for Refusal {
             Self::Core(error) => error.fmt(f),
             Self::Reference(error) => error.fmt(f),
             Self::NotProgressive => f.write_str(
-                "neither the reference nor an adaptive picture becomes finer step by step, since each pixel must be \
-                 traced by itself",
+                "only the core's pictures whose pixels do not depend on each other become finer step by step",
             ),
         }
     }

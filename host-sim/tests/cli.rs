@@ -160,6 +160,7 @@ fn the_animation_of_a_progressive_picture_ends_with_that_picture() {
     let (mut shown, mut frames) = (vec![[0_u8; 4]; 40 * 30], 0);
     while let Some(frame) = animation.read_next_frame().unwrap() {
         assert_eq!([frame.left, frame.width], [0, 40]);
+        assert!(frames > 0 || frame.height == 30, "the first pass is shown whole");
         let (pixels, _) = frame.buffer.as_chunks::<4>();
         shown[usize::from(frame.top) * 40..][..pixels.len()].copy_from_slice(pixels);
         frames += 1;

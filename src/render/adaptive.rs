@@ -6,6 +6,7 @@
 //! and its segments alone, so that parts of a row come out as the whole does.
 
 use super::Quality;
+use super::alike::{are_alike, short};
 use super::marks::Marks;
 use super::picture::Picture;
 use super::workspace::Scratch;
@@ -29,10 +30,6 @@ const NARROW: u32 = 12;
 /// Is how many columns one packet of samples reaches.
 const REACH: usize = STEP as usize * LANES;
 
-/// Is the most that a channel may change between two samples, as a fraction of 2^16: two steps of five
-/// bits. What is filled in lies between them, and mostly within a tenth of this of what is there.
-const ALIKE: u16 = (2 * 65_536 / 31) as u16;
-
 /// Is what a pixel shows and what its ray has seen.
 #[derive(Clone, Copy)]
 struct Sample {
@@ -51,11 +48,6 @@ impl Sample {
     fn agrees(&self, other: &Self) -> bool {
         self.mark == other.mark && are_alike(&self.levels, &other.levels)
     }
-}
-
-/// Tells whether no level of two pixels is further from the other's than [`ALIKE`].
-pub(super) fn are_alike(a: &[u16; 3], b: &[u16; 3]) -> bool {
-    a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= ALIKE)
 }
 
 /// Holds some samples of a segment, each with the way to the next.
@@ -282,11 +274,6 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
             x = stop;
         }
     }
-}
-
-/// Answers a level in 16 bits: white is 2^16, and the level below it is rounded to the same by every threshold.
-pub(super) fn short(level: u32) -> u16 {
-    level.min(u32::from(u16::MAX)) as u16
 }
 
 /// Answers 2^14 divided by each number up to a step, rounded down.

@@ -4,7 +4,7 @@
 //! are probed in turn at their upper and at their lower end.
 
 use super::Quality;
-use super::adaptive::{are_alike, short};
+use super::alike::{are_alike, short};
 use super::marks::Marks;
 use super::picture::Picture;
 use super::samples::Sampler;

@@ -1,6 +1,7 @@
 //! Rendering: rows of rays into a scanline, scanlines into a display.
 
 mod adaptive;
+mod alike;
 mod band;
 mod edges;
 mod error;

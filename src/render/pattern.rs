@@ -34,7 +34,7 @@ impl Pattern {
         Self { side, places: PLACES }
     }
 
-    /// Tells whether there are too few squares, or too many.
+    /// Answers an error where there are no squares, or too many.
     pub fn check(self) -> Result<(), RenderError> {
         match self.side {
             1..=MOST => Ok(()),

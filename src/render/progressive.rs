@@ -16,7 +16,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
-/// Is how far a picture has been refined: [`Renderer::refine`] goes on from here.
+/// Is how far a picture has been refined, in 8 bytes: [`Renderer::refine`] goes on from here.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -144,11 +144,11 @@ where
     /// Draws the next band of a picture that becomes finer and finer, at the upper left corner of a
     /// display, and tells whether there is more to draw.
     ///
-    /// All pixels are drawn once `progress` is complete, and they are those of [`draw`](Self::draw). The
-    /// display shows a picture from the first pass on, which takes 1/256 of the rays for blocks of 16; every
-    /// further pass takes four times as many as are traced so far, less one time. Whole bands go to it as
-    /// areas of up to eight blocks, and in the last pass as rows; every second band block by block,
-    /// since pixels between them are on the display already.
+    /// Once `progress` is complete the pixels are those of [`draw`](Self::draw). The display shows a whole
+    /// picture after the first pass, which takes 1/256 of the rays for blocks of 16; each further pass takes
+    /// three times the rays of all before it. New pixels that lie side by side go to the display together,
+    /// eight blocks at a time and in the last pass by rows; in every second band each block goes alone, since
+    /// what lies between is on the display already. Blocks of 16 at first write every pixel four times.
     ///
     /// # Errors
     /// The display's own error, untouched. `progress` then is where it was: the same step can be tried

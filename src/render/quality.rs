@@ -46,10 +46,10 @@ pub struct Jittered(pub u8);
 /// `AtEdges(Uniform(3))`.
 ///
 /// A row is looked at along a zigzag between its upper and its lower edge. Where two neighbours saw other
-/// objects, tiles, mirror images or lights, or levels more than two steps of 5 bits apart, both pixels are on an
-/// edge, as is the first and the last of a row; any other takes half its own light and a quarter of either
-/// neighbour's, the light of its middle wherever light changes evenly. A straight edge that nobody notices
-/// cuts off at most 1/8 of a pixel; what is smaller than a pixel can be lost.
+/// objects, tiles, mirror images or lights, or levels more than two steps of 5 bits apart, both pixels are
+/// on an edge, as is the first and the last of a row; any other takes half its own light and a quarter of
+/// either neighbour's, the light of its middle wherever light changes evenly. A straight edge that nobody
+/// notices cuts off at most 1/8 of a pixel; what is smaller than a pixel can be lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AtEdges<P>(pub P);
 

@@ -9,6 +9,7 @@ use crate::color::Rgb;
 use crate::math::{Scalar, Vec3};
 use crate::shape::Intersect;
 use crate::trace::{LANES, Observer, Packet, Tracer};
+use core::convert::Infallible;
 use core::ops::Range;
 
 /// Traces pixels of a row, each by all rays of a pattern.
@@ -42,7 +43,8 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         Sampler { tracer, packet, spans, observer, row, grid }
     }
 
-    /// Traces each pixel of `columns` in row `y` by several rays and hands it its linear light, left to right.
+    /// Traces each pixel of `columns` in row `y` by several rays and hands it its linear light, left to
+    /// right.
     pub fn sample_row(
         &self,
         scratch: &mut Scratch<S>,
@@ -61,7 +63,7 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Sampler<'_, '_, '_, S, X, O> {
     pub fn trace(&mut self, columns: Range<u32>, mut pixel: impl FnMut(u32, Rgb<S>)) {
         let Ok(()) = self.try_trace(columns, 1, |x, light| {
             pixel(x, light);
-            Ok::<(), core::convert::Infallible>(())
+            Ok::<(), Infallible>(())
         });
     }
 
@@ -82,12 +84,11 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Sampler<'_, '_, '_, S, X, O> {
             while next.x < stop {
                 let mut sample = next;
                 let rays = (0..LANES).map_while(|_| {
-                    let here = next;
-                    row.skip_to(here.x);
+                    let here = Some(next).filter(|next| next.x < stop)?;
                     next = grid.after(here, stride);
-                    (here.x < stop)
-                        .then(|| grid.ray(row, here))
-                        .map(|primary| (primary.ray, primary.interval))
+                    row.skip_to(here.x);
+                    let primary = grid.ray(row, here);
+                    Some((primary.ray, primary.interval))
                 });
                 for light in tracer.radiance(packet, rays, spans.candidates(), *observer) {
                     mean.add(sample.number, *light);

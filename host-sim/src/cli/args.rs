@@ -1,12 +1,13 @@
 use super::Error;
+use super::rays::Rays;
 use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::scenes;
-use crate::shot::{Number, Quality, Sampling, Shot};
+use crate::shot::{Number, Shot};
 use crate::turn::Turn;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use scanray::{Transfer, Uniform};
+use scanray::Transfer;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
@@ -231,31 +232,6 @@ impl Look {
     }
 }
 
-/// Is how many rays a picture takes.
-#[derive(Debug, Args)]
-pub(super) struct Rays {
-    /// How much of the picture is traced
-    #[arg(long, default_value = "exact")]
-    quality: Quality,
-    /// Trace N x N rays a pixel and average their light
-    #[arg(long, value_name = "N", value_parser = samples, conflicts_with = "quality")]
-    samples: Option<u8>,
-    /// Scatter the rays of a pixel: noise in place of false patterns
-    #[arg(long, requires = "samples")]
-    jitter: bool,
-    /// Trace N x N rays only through pixels on an edge, and one through each other
-    #[arg(long, requires = "samples")]
-    adaptive_samples: bool,
-}
-
-impl Rays {
-    /// Answers the quality that is asked for.
-    pub fn quality(&self) -> Quality {
-        let (jittered, at_edges) = (self.jitter, self.adaptive_samples);
-        self.samples.map_or(self.quality, |side| Quality::Sampled(Sampling { side, jittered, at_edges }))
-    }
-}
-
 /// Finds a scene.
 pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
     scenes::find(name).ok_or_else(|| Error::UnknownScene(name.to_owned()))
@@ -278,11 +254,6 @@ fn judged(text: &str) -> Result<Number, String> {
 fn chip(text: &str) -> Result<&'static Chip, String> {
     let names = CHIPS.each_ref().map(|chip| chip.name);
     Chip::find(text).ok_or_else(|| format!("the chips are {}", names.join(", ")))
-}
-
-fn samples(text: &str) -> Result<u8, String> {
-    let side = text.parse().ok().filter(|side| (1..=Uniform::MOST).contains(side));
-    side.ok_or_else(|| format!("N is a number from 1 to {}, such as 2 for 4 rays a pixel", Uniform::MOST))
 }
 
 fn depth(text: &str) -> Result<u8, String> {

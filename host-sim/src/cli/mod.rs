@@ -9,6 +9,7 @@ mod list;
 mod progress;
 mod progressive;
 mod race;
+mod rays;
 mod render;
 mod report;
 mod words;

@@ -44,12 +44,16 @@ struct Frame {
     rows: Range<u32>,
 }
 
-/// Draws the picture and answers the rays up to the end of each pass, and what there is to show.
-fn record(shot: &Shot, block: u8) -> Result<(Vec<(u8, RayCounts)>, Vec<Frame>), Error> {
+/// Is the side of a pass's blocks, with all rays up to its end.
+type Pass = (u8, RayCounts);
+
+/// Draws the picture and answers its passes and what there is to show.
+fn record(shot: &Shot, block: u8) -> Result<(Vec<Pass>, Vec<Frame>), Error> {
     let mut all = RayCounts::default();
     shot.refine(block, |step| all = step.rays)?;
-    let (mut passes, mut frames) = (Vec::<(u8, RayCounts)>::new(), Vec::new());
-    let mut shown = Reel { rows: 0..0, next: 0, interval: sum(&all).div_ceil(FRAMES) };
+    let (mut passes, mut frames) = (Vec::<Pass>::new(), Vec::new());
+    let interval = sum(&all).div_ceil(FRAMES);
+    let mut shown = Reel { rows: 0..0, next: interval, interval };
     shot.refine(block, |step| {
         frames.extend(shown.add(&step));
         match passes.last_mut() {
