@@ -45,7 +45,8 @@
 //! - [`camera`]: which ray belongs to which pixel.
 //! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
 //! - [`output`]: from linear light to the panel's bits.
-//! - [`render`]: [`Renderer`] and [`Workspace`].
+//! - [`render`]: [`Renderer`] and [`Workspace`]; how many rays a picture takes ([`Quality`]), and pictures that
+//!   become finer ([`Progress`]).
 //! - [`raster`]: the other approach, a z-buffer: [`RasterRenderer`] and [`RasterWorkspace`].
 //! - [`gallery`]: scenes ready to draw, in every number.
 //!
@@ -99,7 +100,8 @@ pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
 pub use raster::{RasterRenderer, RasterWorkspace};
-pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
+pub use render::{Adaptive, AtEdges, Exact, Jittered, Pointwise, Quality, Uniform};
+pub use render::{Progress, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{
     Cone, Cuboid, FillRule, Intersect, Plane, Polygon, Shape, SmoothTriangle, Sphere, Triangle, Vertex,

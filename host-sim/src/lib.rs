@@ -1,5 +1,6 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
 
+pub mod animation;
 pub mod bench;
 pub mod canvas;
 pub mod cli;
@@ -12,6 +13,7 @@ pub mod png;
 pub mod race;
 pub mod raster;
 pub mod reference;
+pub mod refine;
 pub mod scene_file;
 pub mod scenes;
 pub mod shot;

@@ -1,7 +1,7 @@
 //! Panels: the colour formats of displays, and what their pixels look like.
 
 use embedded_graphics_core::pixelcolor::{
-    BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb666, Rgb888, RgbColor,
+    BinaryColor, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 use scanray::math::Scalar;
 use scanray::output::{Quantizer, Rounding};
@@ -35,10 +35,14 @@ fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
 
 /// Is a pixel before it is rounded for its panel, so that one renderer serves all panels of colours and
 /// one all panels of greys.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unrounded<const GRAY: bool> {
     /// What the panel's channels show, as fractions of 2^16.
     pub levels: [u32; 3],
+}
+
+impl<const GRAY: bool> PixelColor for Unrounded<GRAY> {
+    type Raw = ();
 }
 
 impl<const GRAY: bool> Encode for Unrounded<GRAY> {
@@ -53,15 +57,6 @@ impl<const GRAY: bool> Encode for Unrounded<GRAY> {
     fn by_thresholds(levels: [u32; 3], _: [u32; 3]) -> Self {
         Self { levels }
     }
-}
-
-/// Rounds a row's levels to colours and answers what they look like.
-fn colors<C: Encode>(
-    levels: impl Iterator<Item = [u32; 3]>,
-    mut rounding: Rounding,
-    show: impl Fn(C) -> [u8; 3],
-) -> Vec<[u8; 3]> {
-    (0..).zip(levels).map(|(x, levels)| show(rounding.round(x, levels))).collect()
 }
 
 impl Panel {
@@ -111,17 +106,22 @@ impl Panel {
         })
     }
 
-    /// Rounds the levels of row `y` with the core's own encoder and answers what it looks like.
-    pub fn round_row(self, levels: impl Iterator<Item = [u32; 3]>, dither: Dither, y: u32) -> Vec<[u8; 3]> {
-        let rounding = Rounding::of_row(dither, y);
+    /// Rounds the levels of the pixel in column `x` with the core's own encoder and answers what it looks like.
+    pub fn round_pixel(self, x: u32, levels: [u32; 3], rounding: &mut Rounding) -> [u8; 3] {
         match self {
-            Self::Rgb565 => colors(levels, rounding, rgb::<Rgb565>),
-            Self::Rgb666 => colors(levels, rounding, rgb::<Rgb666>),
-            Self::Rgb888 => colors(levels, rounding, rgb::<Rgb888>),
-            Self::Gray8 => colors(levels, rounding, |color: Gray8| [color.luma(); 3]),
-            Self::Gray4 => colors(levels, rounding, |color: Gray4| [spread(color.luma(), 15); 3]),
-            Self::Mono => colors(levels, rounding, |color: BinaryColor| [spread(color.is_on() as u8, 1); 3]),
+            Self::Rgb565 => rgb::<Rgb565>(rounding.round(x, levels)),
+            Self::Rgb666 => rgb::<Rgb666>(rounding.round(x, levels)),
+            Self::Rgb888 => rgb::<Rgb888>(rounding.round(x, levels)),
+            Self::Gray8 => [rounding.round::<Gray8>(x, levels).luma(); 3],
+            Self::Gray4 => [spread(rounding.round::<Gray4>(x, levels).luma(), 15); 3],
+            Self::Mono => [spread(rounding.round::<BinaryColor>(x, levels).is_on() as u8, 1); 3],
         }
+    }
+
+    /// Rounds the levels of row `y` and answers what it looks like.
+    pub fn round_row(self, levels: impl Iterator<Item = [u32; 3]>, dither: Dither, y: u32) -> Vec<[u8; 3]> {
+        let mut rounding = Rounding::of_row(dither, y);
+        (0..).zip(levels).map(|(x, levels)| self.round_pixel(x, levels, &mut rounding)).collect()
     }
 
     /// Rounds the levels of a picture of so many columns and answers what it looks like.

@@ -50,7 +50,7 @@ pub fn pool(threads: Option<NonZeroUsize>) -> Result<ThreadPool, ThreadPoolBuild
 /// What keeps the core from drawing the view.
 pub fn trace<S: Scalar + Send + Sync>(
     view: &View<S>,
-    settings: Settings<S>,
+    settings: Settings<S, impl Quality + Sync>,
     size: [u32; 2],
     row_done: impl FnMut(u32) + Send,
 ) -> Result<Film<S>, RenderError> {
@@ -72,7 +72,7 @@ pub fn trace<S: Scalar + Send + Sync>(
 /// Traces the rows of a picture from `top` on, with a workspace of their own.
 fn trace_band<S: Scalar>(
     view: &View<S>,
-    settings: Settings<S>,
+    settings: Settings<S, impl Quality>,
     [columns, rows]: [u32; 2],
     top: u32,
     row_done: impl Fn(u32),

@@ -2,8 +2,8 @@
 
 use host_sim::panel::Panel;
 use host_sim::picture;
-use scanray::Dither;
 use scanray::gallery::{Gallery, fixed, float};
+use scanray::{AtEdges, Dither, Jittered, Settings, Uniform};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -152,6 +152,59 @@ fn the_sheet_among_the_pictures_is_what_the_command_draws() {
 }
 
 #[test]
+fn several_rays_a_pixel_are_those_of_the_library() {
+    let desk = Desk::new("samples");
+    let view = float::C_RAY;
+    let expected =
+        |film: picture::Film<f32>| film.on_panel(Panel::Rgb565, view.settings.transfer, Dither::Ordered);
+    let drawn = |options: &str| {
+        let output = desk.run(&format!("render c-ray --size 40x30 {options} -o x.png"));
+        assert!(output.status.success(), "{options}: {output:?}");
+        (read(&desk.0.join("x.png")).0, stdout(&output))
+    };
+    let film = |settings: Settings<f32, _>| picture::trace(&view, settings, [40, 30], |_| ()).unwrap();
+    let (picture, text) = drawn("--samples 2");
+    assert!(picture == expected(film(view.settings.with_quality(Uniform(2)))));
+    assert!(text.contains("4,800 primary") && text.contains("2x2 rays a pixel"), "{text}");
+    let (scattered, text) = drawn("--samples 2 --jitter");
+    let film = picture::trace(&view, view.settings.with_quality(Jittered(2)), [40, 30], |_| ()).unwrap();
+    assert!(scattered == expected(film));
+    assert!(text.contains("2x2 scattered rays a pixel"), "{text}");
+    let (at_edges, text) = drawn("--samples 2 --jitter --adaptive-samples");
+    let settings = view.settings.with_quality(AtEdges(Jittered(2)));
+    assert!(at_edges == expected(picture::trace(&view, settings, [40, 30], |_| ()).unwrap()));
+    assert!(text.contains("rays a pixel on an edge"), "{text}");
+}
+
+#[test]
+fn the_animation_of_a_progressive_picture_ends_with_that_picture() {
+    let desk = Desk::new("progressive");
+    let output = desk.run("progressive simple --size 40x30 --panel mono --block 8");
+    assert!(output.status.success(), "{output:?}");
+    for word in ["blocks 8", "blocks 4", "blocks 2", "blocks 1", "100.0%", "simple.gif"] {
+        assert!(stdout(&output).contains(word), "no {word:?} in {}", stdout(&output));
+    }
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut animation = options.read_info(std::fs::File::open(desk.0.join("simple.gif")).unwrap()).unwrap();
+    assert_eq!([animation.width(), animation.height()], [40, 30]);
+    // Frames are laid over what is shown already.
+    let (mut shown, mut frames) = (vec![[0_u8; 4]; 40 * 30], 0);
+    while let Some(frame) = animation.read_next_frame().unwrap() {
+        assert_eq!([frame.left, frame.width], [0, 40]);
+        assert!(frames > 0 || frame.height == 30, "the first pass is shown whole");
+        let (pixels, _) = frame.buffer.as_chunks::<4>();
+        shown[usize::from(frame.top) * 40..][..pixels.len()].copy_from_slice(pixels);
+        frames += 1;
+    }
+    assert!(frames >= 4, "{frames}");
+    let view = float::SIMPLE;
+    let film = picture::trace(&view, view.settings, [40, 30], |_| ()).unwrap();
+    let picture = film.on_panel(Panel::Mono, view.settings.transfer, Dither::Ordered);
+    assert!(shown.iter().map(|[r, g, b, _]| [*r, *g, *b]).eq(picture));
+}
+
+#[test]
 fn an_alias_may_hand_on_a_second_separator() {
     let desk = Desk::new("separator");
     let output = desk.run("-- render simple --size 8x8");
@@ -257,6 +310,13 @@ fn wrong_words_are_refused_with_a_way_out() {
     assert_refused(&desk, "render --step 3", &["3/72"]);
     assert_refused(&desk, "render --panel rgb555", &["rgb565"]);
     assert_refused(&desk, "render --dither floyd", &["blue-noise", "diffused"]);
+    assert_refused(&desk, "render --samples 9", &["from 1 to 8"]);
+    assert_refused(&desk, "render --samples 0", &["from 1 to 8"]);
+    assert_refused(&desk, "render --jitter", &["--samples"]);
+    assert_refused(&desk, "render --samples 2 --quality adaptive", &["--quality"]);
+    assert_refused(&desk, "progressive --quality adaptive", &["step by step"]);
+    assert_refused(&desk, "progressive --number oracle", &["step by step"]);
+    assert_refused(&desk, "progressive --size 8x8 -o no/such/place.gif", &["no/such/place.gif", "-o"]);
     assert_refused(&desk, "compare", &["no scene to compare", "--all"]);
     assert_refused(&desk, "compare simple --number oracle", &["f32, fixed and exact"]);
     assert_refused(&desk, "draw", &["draw", "--help"]);
@@ -280,7 +340,7 @@ fn a_window_without_a_display_is_refused_with_a_way_out() {
 #[test]
 fn help_is_no_error_and_gives_examples() {
     let desk = Desk::new("help");
-    for command in ["", "render", "show", "compare", "dither", "list", "export"] {
+    for command in ["", "render", "show", "progressive", "compare", "dither", "list", "export"] {
         let arguments = format!("{command} --help");
         let output = desk.run(&arguments);
         assert!(output.status.success(), "{arguments}");

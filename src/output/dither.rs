@@ -72,9 +72,14 @@ impl Dither {
         self.thresholds(y).get(x as usize % SIDE).map_or(1 << 15, |threshold| u32::from(*threshold))
     }
 
+    /// Tells whether each pixel is rounded by itself, whatever the order in which they are drawn.
+    pub(crate) fn is_pointwise(self) -> bool {
+        !matches!(self, Self::Diffused)
+    }
+
     /// Answers from which column on a row's pixels decide what those from `column` on look like.
     pub(crate) fn first_column(self, column: u32) -> u32 {
-        if matches!(self, Self::Diffused) { 0 } else { column }
+        if self.is_pointwise() { column } else { 0 }
     }
 }
 

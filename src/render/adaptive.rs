@@ -6,6 +6,7 @@
 //! and its segments alone, so that parts of a row come out as the whole does.
 
 use super::Quality;
+use super::alike::{are_alike, short};
 use super::marks::Marks;
 use super::picture::Picture;
 use super::workspace::Scratch;
@@ -29,10 +30,6 @@ const NARROW: u32 = 12;
 /// Is how many columns one packet of samples reaches.
 const REACH: usize = STEP as usize * LANES;
 
-/// Is the most that a channel may change between two samples, as a fraction of 2^16: two steps of five
-/// bits. What is filled in lies between them, and mostly within a tenth of this of what is there.
-const ALIKE: u16 = (2 * 65_536 / 31) as u16;
-
 /// Is what a pixel shows and what its ray has seen.
 #[derive(Clone, Copy)]
 struct Sample {
@@ -49,8 +46,7 @@ impl Sample {
 
     /// Tells whether two samples saw the same in about the same colour.
     fn agrees(&self, other: &Self) -> bool {
-        let close = |(a, b): (&u16, &u16)| a.abs_diff(*b) <= ALIKE;
-        self.mark == other.mark && self.levels.iter().zip(&other.levels).all(close)
+        self.mark == other.mark && are_alike(&self.levels, &other.levels)
     }
 }
 
@@ -165,9 +161,7 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
         self.marks.clear();
         let light = self.tracer.radiance(self.packet, rays, candidates, &mut self.marks);
         for ((place, light), mark) in wanted.iter().zip(light).zip(self.marks.marks()) {
-            // White is 2^16, and the level below it is rounded to the same by every threshold there is.
-            let white = u32::from(u16::MAX);
-            let levels = P::levels(light_bits(*light), self.transfer).map(|level| level.min(white) as u16);
+            let levels = P::levels(light_bits(*light), self.transfer).map(short);
             let sample = Sample { levels, mark: *mark, ..block.at(*place) };
             block.set(*place, sample);
         }

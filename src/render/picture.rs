@@ -1,3 +1,4 @@
+use super::quality::Way;
 use super::workspace::Scratch;
 use super::{Quality, Settings};
 use crate::camera::Frame;
@@ -46,6 +47,11 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         mut pixel: impl FnMut(u32, Rgb<S>),
     ) {
         let columns = columns.start..columns.end.min(self.size.width);
+        match Q::WAY {
+            Way::Sampled => return self.sample_row(scratch, y, columns, observer, pixel),
+            Way::SampledAtEdges => return self.sample_edges(scratch, y, columns, observer, pixel),
+            Way::Traced | Way::FilledIn => {}
+        }
         let Scratch { packet, spans, vicinities, pending } = scratch;
         spans.enter_row(&self.scene, &self.frame, y);
         let mut tracer = self.tracer(vicinities, pending);
@@ -84,7 +90,7 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         places: &mut [P],
         observer: &mut impl Observer,
     ) {
-        if Q::FILLS_IN {
+        if Q::WAY == Way::FilledIn {
             return self.fill_row(scratch, y, columns, places, observer);
         }
         let Settings { transfer, dither, .. } = self.settings;

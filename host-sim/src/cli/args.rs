@@ -1,10 +1,11 @@
 use super::Error;
+use super::rays::Rays;
 use crate::bench::{CHIPS, Chip};
 use crate::dither::Method;
 use crate::panel::Panel;
 use crate::picture::{MAX_DEPTH, MAX_SIDE};
 use crate::scenes;
-use crate::shot::{Approach, Number, Quality, Shot};
+use crate::shot::{Approach, Number, Shot};
 use crate::turn::Turn;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scanray::Transfer;
@@ -39,6 +40,8 @@ pub(super) enum Command {
     Render(RenderArgs),
     /// Walk around a scene in a window; H in the window names the keys
     Show(ShowArgs),
+    /// Draw a scene in coarse blocks that become finer, into an animated GIF
+    Progressive(ProgressiveArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
     /// Draw a scene by the tracer and by the z-buffer side by side, and tell what each has done
@@ -59,7 +62,8 @@ pub(super) enum Command {
 #[command(after_help = "Examples:\n  \
     scanray render\n  \
     scanray render c-ray --number fixed --size 160x120 -o small.png\n  \
-    scanray render mirror-levels --depth 4 --panel gray4")]
+    scanray render mirror-levels --depth 4 --panel gray4\n  \
+    scanray render three-spheres --samples 3 --adaptive-samples")]
 pub(super) struct RenderArgs {
     #[command(flatten)]
     pub look: Look,
@@ -93,10 +97,27 @@ pub(super) struct ShowArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
+    scanray progressive three-spheres\n  \
+    scanray progressive c-ray --number fixed --block 32 -o c-ray.gif\n\n\
+    A frame is shown for each 1/32 of the rays, so that times are to each other as on a device.")]
+pub(super) struct ProgressiveArgs {
+    #[command(flatten)]
+    pub look: Look,
+    /// Pixels along a side of the first blocks, a power of two up to 128
+    #[arg(long, value_name = "N", default_value = "16")]
+    pub block: u8,
+    /// File to write the animation to [default: SCENE.gif in the current directory]
+    #[arg(short, long, value_name = "FILE.gif")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
     scanray compare simple\n  \
     scanray compare --all --panel rgb565\n  \
     scanray compare --all --json\n  \
     scanray compare --all --quality adaptive --panel rgb565\n  \
+    scanray compare --all --samples 3 --adaptive-samples\n  \
     scanray compare c-ray --number fixed -o pictures")]
 pub(super) struct CompareArgs {
     /// Scene to compare: one of the gallery, or a file FILE.ron
@@ -108,9 +129,9 @@ pub(super) struct CompareArgs {
     /// Judge this number only: f32, fixed or exact [default: all three]
     #[arg(long, value_parser = judged)]
     pub number: Option<Number>,
-    /// Judge pictures of this quality; adaptive ones are compared with the exact ones of the same number
-    #[arg(long, default_value = "exact")]
-    pub quality: Quality,
+    /// Pictures that are adaptive, or sampled at edges, are compared with those that are not
+    #[command(flatten)]
+    pub rays: Rays,
     /// Colour format in which pixels are compared
     #[arg(long, default_value = "rgb888")]
     pub panel: Panel,
@@ -263,9 +284,8 @@ pub(super) struct Look {
     /// How levels are rounded to those the panel has [default: the scene's]
     #[arg(long, value_name = "METHOD")]
     pub dither: Option<Method>,
-    /// How much of the picture is traced
-    #[arg(long, default_value = "exact")]
-    pub quality: Quality,
+    #[command(flatten)]
+    pub rays: Rays,
     /// Who draws it: the ray tracer, or the z-buffer, which knows no quality and no depth
     #[arg(long, default_value = "trace")]
     pub approach: Approach,
@@ -285,7 +305,7 @@ impl Look {
         shot.turn = self.step.unwrap_or(shot.turn);
         shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
         shot.dither = self.dither.map_or(shot.dither, Method::dither);
-        shot.quality = self.quality;
+        shot.quality = self.rays.quality();
         shot.approach = self.approach;
         Ok(shot)
     }

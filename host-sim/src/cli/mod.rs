@@ -10,7 +10,9 @@ mod error;
 mod export;
 mod list;
 mod progress;
+mod progressive;
 mod race;
+mod rays;
 mod render;
 mod report;
 mod words;
@@ -65,6 +67,7 @@ fn execute(command: &Command) -> Result<(), Error> {
     match command {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
+        Command::Progressive(args) => progressive::run(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Approaches(args) => approaches::run(args, &mut out)?,
         Command::Dither(args) => dither::run(args, &mut out)?,

@@ -31,6 +31,8 @@ impl ValueEnum for Quality {
             Self::Adaptive => {
                 PossibleValue::new("adaptive").help("What lies between pixels that see the same is filled in")
             }
+            // Has a number and options of its own.
+            Self::Sampled(_) => return None,
         })
     }
 }

@@ -61,6 +61,22 @@ impl Picture {
         rows.flat_map(|(y, light)| display.row(light, y)).collect()
     }
 
+    /// Answers the picture each of whose pixels is the mean of `side` x `side` pixels of this one (row S1), and
+    /// whose trails are theirs, one after the other.
+    pub fn averaged(&self, side: u32) -> Self {
+        let [columns, rows] = self.size.map(|n| n / side);
+        let pixels = (0..rows).flat_map(|y| (0..columns).map(move |x| [x, y])).map(|[x, y]| {
+            let squares =
+                (0..side * side).map(|n| (y * side + n / side) * self.size[0] + x * side + n % side);
+            let places: Vec<usize> = squares.map(|place| place as usize).collect();
+            let sum = places.iter().fold(Vector::default(), |sum, place| sum + self.light[*place]);
+            let trail = places.iter().flat_map(|place| self.trails[*place].clone()).collect();
+            (sum * (1.0 / f64::from(side * side)), trail)
+        });
+        let (light, trails) = pixels.unzip();
+        Self { size: [columns, rows], light, trails }
+    }
+
     /// Marks the pixels beside an edge of whatever is seen: of an object, a face, a tile, a shadow
     /// or any of these in a mirror.
     pub fn silhouettes(&self) -> Vec<bool> {
