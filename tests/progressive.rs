@@ -5,6 +5,7 @@ mod support;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use scanray::output::BLUE_NOISE;
 use scanray::render::Pointwise;
 use scanray::trace::RayCounts;
 use scanray::*;
@@ -133,7 +134,7 @@ fn each_pixel_is_traced_once_and_the_last_picture_is_the_direct_one() {
 fn every_panel_ends_with_the_direct_picture() {
     fn check<C: Encode + PixelColor + std::fmt::Debug>() {
         let size = Size::new(61, 37);
-        for dither in [Dither::None, Dither::Ordered] {
+        for dither in [Dither::None, Dither::Ordered, Dither::Mask(&BLUE_NOISE)] {
             let settings = settings(Exact).with_dither(dither);
             let (panel, _) = refined::<C, _>(size, settings, 16);
             assert_eq!(panel.pixels, direct(size, settings));
@@ -144,6 +145,16 @@ fn every_panel_ends_with_the_direct_picture() {
     check::<Rgb888>();
     check::<Gray4>();
     check::<BinaryColor>();
+}
+
+#[test]
+fn where_errors_cannot_be_handed_on_every_pass_rounds_by_the_ordered_square() {
+    let size = Size::new(61, 37);
+    let of = |dither| settings(Exact).with_dither(dither);
+    for block in [1, 2, 16] {
+        let (diffused, _) = refined::<BinaryColor, _>(size, of(Dither::Diffused), block);
+        assert_eq!(diffused.pixels, direct(size, of(Dither::Ordered)), "blocks of {block}");
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 use super::adaptive;
-use super::args::{CompareArgs, scene};
+use super::args::CompareArgs;
+use super::look::scene;
 use super::render::{reference, take};
 use super::{Error, report};
 use crate::compare::{Comparison, Figures, difference};

@@ -1,4 +1,5 @@
-use super::args::{Curve, DitherArgs, scene};
+use super::args::DitherArgs;
+use super::look::{Curve, scene};
 use super::progress::Progress;
 use super::{Error, report};
 use crate::dither::{Method, Window, error};

@@ -9,6 +9,7 @@ mod dither;
 mod error;
 mod export;
 mod list;
+mod look;
 mod progress;
 mod progressive;
 mod race;

@@ -107,3 +107,25 @@ impl Settings {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scanray::output::Mask;
+
+    static OWN: Mask = [[1 << 14; 16]; 16];
+
+    /// Answers the rounding that comes back from a file.
+    fn back(dither: scanray::Dither) -> scanray::Dither {
+        Settings::of(&scanray::Settings::new().with_dither(dither)).in_number::<f64>().dither
+    }
+
+    #[test]
+    fn every_way_of_rounding_comes_back_but_a_mask_of_the_callers_own() {
+        use scanray::Dither::{Diffused, Mask, None, Ordered};
+        for dither in [None, Ordered, Mask(&BLUE_NOISE), Diffused] {
+            assert_eq!(back(dither), dither);
+        }
+        assert_ne!(back(Mask(&OWN)), Mask(&OWN));
+    }
+}
