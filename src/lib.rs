@@ -38,13 +38,15 @@
 //!
 //! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
 //! - [`ray`], [`hit`], [`aabb`], [`hull`], [`color`], [`fault`]: what everything else speaks of.
+//! - [`spectrum`]: colours from spectra, at compile time.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
 //! - [`texture`], [`material`], [`brdf`], [`glass`], [`light`], [`environment`]: what surfaces do with light.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
 //! - [`camera`]: which ray belongs to which pixel.
 //! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
 //! - [`output`]: from linear light to the panel's bits.
-//! - [`render`]: [`Renderer`] and [`Workspace`].
+//! - [`render`]: [`Renderer`] and [`Workspace`]; how many rays a picture takes ([`Quality`]), and pictures that
+//!   become finer ([`Progress`]).
 //! - [`raster`]: the other approach, a z-buffer: [`RasterRenderer`] and [`RasterWorkspace`].
 //! - [`gallery`]: scenes ready to draw, in every number.
 //!
@@ -63,6 +65,7 @@ pub mod fault;
 pub mod hit;
 pub mod hull;
 pub mod ray;
+pub mod spectrum;
 
 pub mod shape;
 
@@ -98,7 +101,8 @@ pub use material::{Material, Model};
 pub use math::{Fixed, Scalar, Vec3};
 pub use output::{Dither, Encode, Transfer};
 pub use raster::{RasterRenderer, RasterWorkspace};
-pub use render::{Adaptive, Exact, Quality, RenderError, Renderer, RowError, Settings, Workspace};
+pub use render::{Adaptive, AtEdges, Exact, Jittered, Pointwise, Quality, Uniform};
+pub use render::{Progress, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{
     Cone, Cuboid, Displaced, FillRule, Intersect, Plane, Polygon, Shape, SmoothTriangle, Sphere, Triangle,

@@ -1,13 +1,20 @@
 //! Spans and what is remembered of shadows leave out only what no ray meets: the picture is that of
 //! brute force, bit for bit, in every number.
 
+mod support;
+
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
+use scanray::hit::{Crossing, Surface};
+use scanray::ray::{Interval, Ray};
+use scanray::render::Quality;
 use scanray::trace::{Candidates, Packet, Pending, Tracer};
 use scanray::{
-    Camera, Cone, Cuboid, FillRule, Fixed, Light, Material, Object, Plane, Polygon, Projection, Renderer,
-    Rgb, Scalar, Scene, Settings, Shape, Sky, SmoothTriangle, Sphere, Triangle, Vec3, Vertex, Workspace,
+    AtEdges, Camera, Cone, Cuboid, Fault, FillRule, Fixed, Intersect, Jittered, Light, Material, Object,
+    Plane, Polygon, Projection, Renderer, Rgb, Scalar, Scene, Settings, Shape, Sky, SmoothTriangle, Sphere,
+    Triangle, Uniform, Vec3, Vertex, Workspace,
 };
+use support::film;
 
 const COLUMNS: u32 = 40;
 const ROWS: u32 = 14;
@@ -147,8 +154,10 @@ fn camera<S: Scalar>(number: fn(f64) -> S, view: &View) -> Camera<S> {
     Camera::new(points, projection, [n(if kind < 2.0 { view.near } else { view.near.max(0.5) }), n(100.0)])
 }
 
-/// Draws with and without culling, and answers what differs first.
-fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Option<String> {
+/// Is what a scene of some shapes is made of.
+type Parts<S> = (Vec<Object<S>>, Vec<Material<S>>, [Light<S>; 2]);
+
+fn parts<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Parts<S> {
     let tint = |i: usize| number((i % 7 + 1) as f64 / 8.0);
     let materials: Vec<Material<S>> = (0..shapes.len())
         .map(|i| {
@@ -161,6 +170,12 @@ fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Op
     let [lamp, sun] = view.lights.map(|p| vector(number, p));
     let lights =
         [Light::point(lamp, Rgb::gray(number(0.7))), Light::directional(sun, Rgb::gray(number(0.4)))];
+    (objects, materials, lights)
+}
+
+/// Draws with and without culling, and answers what differs first.
+fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Option<String> {
+    let (objects, materials, lights) = parts(number, shapes, view);
     let scene = Scene::new(&objects, &materials, &lights).with_sky(Sky::Solid(Rgb::gray(number(0.2))));
     let camera = camera(number, view);
     let (size, settings) = (Size::new(COLUMNS, ROWS), Settings::new().with_depth(DEPTH));
@@ -185,8 +200,71 @@ fn differs<S: Scalar>(number: fn(f64) -> S, shapes: &[Plain], view: &View) -> Op
     None
 }
 
+/// Is a shape of which nobody knows where it is: every ray asks it.
+struct Boundless<S: 'static>(Shape<S>);
+
+impl<S: Scalar> Intersect<S> for Boundless<S> {
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        self.0.intersect(ray, interval)
+    }
+
+    fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        self.0.intersect_leaving(ray, interval)
+    }
+
+    fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
+        self.0.surface(ray, crossing)
+    }
+
+    fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        self.0.occludes(ray, interval)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.0.is_convex()
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        self.0.check()
+    }
+}
+
+/// Draws with several rays a pixel, with and without culling, and answers the first pixel that differs.
+fn samples_differ<S: Scalar>(
+    number: fn(f64) -> S,
+    shapes: &[Plain],
+    view: &View,
+    quality: impl Quality,
+) -> Option<String> {
+    let (objects, materials, lights) = parts(number, shapes, view);
+    let boundless: Vec<_> =
+        objects.iter().map(|o| Object::new(Shape::Custom(Boundless(o.shape)), o.material)).collect();
+    let camera = camera(number, view);
+    camera.frame(COLUMNS, ROWS).ok()?;
+    let settings = Settings::new().with_depth(0).with_quality(quality);
+    let scene = Scene::new(&objects, &materials, &lights);
+    scene.check().ok()?;
+    let culled = film(&scene, &camera, [COLUMNS, ROWS], settings, &mut ());
+    let whole = Scene::new(&boundless, &materials, &lights);
+    let whole = film(&whole, &camera, [COLUMNS, ROWS], settings, &mut ());
+    let place = culled.iter().zip(&whole).position(|(a, b)| a != b)?;
+    Some(format!("pixel {place}: {:?}, unculled {:?}", culled[place], whole[place]))
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    #[test]
+    fn culling_never_changes_a_sampled_picture_in_f32(shapes in prop::collection::vec(shape(), 1..40), view in view()) {
+        prop_assert_eq!(samples_differ(|x| x as f32, &shapes, &view, Jittered(2)), None);
+        prop_assert_eq!(samples_differ(|x| x as f32, &shapes, &view, AtEdges(Uniform(2))), None);
+    }
+
+    #[test]
+    fn culling_never_changes_a_sampled_picture_in_fixed_point(shapes in prop::collection::vec(shape(), 1..40), view in view()) {
+        prop_assert_eq!(samples_differ(Fixed::new, &shapes, &view, Uniform(3)), None);
+        prop_assert_eq!(samples_differ(Fixed::new, &shapes, &view, AtEdges(Jittered(2))), None);
+    }
 
     #[test]
     fn culling_never_changes_a_lit_picture_in_f32(shapes in prop::collection::vec(shape(), 1..40), view in view()) {

@@ -81,11 +81,12 @@ macro_rules! channels {
         struct $name($color);
         impl Encode for $name {
             const DARKEST: Self = Self(<$color as Encode>::DARKEST);
+            const TOPS: [u8; 3] = <$color>::TOPS;
             fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
                 <$color>::levels(light, transfer)
             }
-            fn from_levels(levels: [u32; 3], threshold: u32) -> Self {
-                Self(<$color>::from_levels(levels, threshold))
+            fn by_thresholds(levels: [u32; 3], thresholds: [u32; 3]) -> Self {
+                Self(<$color>::by_thresholds(levels, thresholds))
             }
         }
         impl From<$name> for [u8; 3] {

@@ -1,7 +1,7 @@
 //! What rendering takes of RAM.
 
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
-use scanray::{Fixed, RasterWorkspace, Workspace};
+use scanray::{Fixed, Progress, RasterWorkspace, Workspace};
 
 /// Is the formula of the documentation.
 const fn formula(width: usize, color: usize, depth: usize) -> usize {
@@ -32,4 +32,9 @@ fn tracing_takes_less_than_two_kilobytes_beside_the_row() {
 fn a_row_of_depths_takes_eight_bytes_a_pixel_and_nothing_else() {
     assert_eq!(size_of::<RasterWorkspace<f32, 320>>(), 320 * 8);
     assert_eq!(size_of::<RasterWorkspace<Fixed, 320>>(), 320 * 8);
+}
+
+#[test]
+fn a_picture_that_becomes_finer_keeps_eight_bytes() {
+    assert!(size_of::<Progress>() <= 8);
 }

@@ -2,17 +2,17 @@
 
 mod support;
 
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Gray4, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use scanray::gallery::{Gallery, View};
 use scanray::hit::{Crossing, Surface};
-use scanray::output::Quantizer;
+use scanray::output::{BLUE_NOISE, Quantizer};
 use scanray::ray::{Interval, Ray};
 use scanray::trace::{Observer, RayKind};
 use scanray::{
     Dither, Encode, Fault, Fixed, Intersect, Material, Object, RasterRenderer, RasterWorkspace, RenderError,
-    Renderer, Rgb, RowError, Scalar, Scene, SceneError, Settings, Shape, Sphere, Workspace,
+    Renderer, Rgb, RowError, Scalar, Scene, SceneError, Settings, Shape, Sky, Sphere, Workspace,
 };
 use support::{BusFault, StrictDisplay};
 
@@ -183,6 +183,25 @@ fn a_display_gets_the_rows_that_a_buffer_gets() {
     }
     display.fails_after = Some(display.fills.len() + 7);
     assert_eq!(renderer.draw(&mut display), Err(BusFault(37)));
+}
+
+#[test]
+fn rows_are_rounded_in_every_way_as_those_of_the_tracer() {
+    let scene: Scene = Scene::new(&[], &[], &[]).with_sky(Sky::Solid(Rgb::gray(0.3)));
+    let (camera, size) = (support::camera(), Size::new(40, 30));
+    for dither in [Dither::None, Dither::Ordered, Dither::Mask(&BLUE_NOISE), Dither::Diffused] {
+        let settings = Settings::new().with_depth(0).with_dither(dither);
+        let mut workspace = Workspace::<f32, Gray4, 40, 0>::new();
+        let mut tracer = Renderer::new(&scene, &camera, size, settings, &mut workspace).unwrap();
+        let mut workspace = RasterWorkspace::<f32, 40>::new();
+        let mut raster = RasterRenderer::new(&scene, &camera, size, settings, &mut workspace).unwrap();
+        let [mut traced, mut rasterized] = [[Gray4::BLACK; 40]; 2];
+        for y in 0..30 {
+            tracer.render_row(y, &mut traced).unwrap();
+            raster.render_row(y, &mut rasterized).unwrap();
+            assert_eq!(rasterized, traced, "{dither:?}, row {y}");
+        }
+    }
 }
 
 #[test]

@@ -1,9 +1,11 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
 
+pub mod animation;
 pub mod bench;
 pub mod canvas;
 pub mod cli;
 pub mod compare;
+pub mod dither;
 pub mod images;
 pub mod memory;
 pub mod panel;
@@ -12,6 +14,7 @@ pub mod png;
 pub mod race;
 pub mod raster;
 pub mod reference;
+pub mod refine;
 pub mod scene_file;
 pub mod scenes;
 pub mod shot;

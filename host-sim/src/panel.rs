@@ -1,10 +1,10 @@
 //! Panels: the colour formats of displays, and what their pixels look like.
 
 use embedded_graphics_core::pixelcolor::{
-    BinaryColor, Gray4, Gray8, GrayColor, Rgb565, Rgb666, Rgb888, RgbColor,
+    BinaryColor, Gray4, Gray8, GrayColor, PixelColor, Rgb565, Rgb666, Rgb888, RgbColor,
 };
 use scanray::math::Scalar;
-use scanray::output::Quantizer;
+use scanray::output::{Quantizer, Rounding};
 use scanray::{Dither, Encode, Rgb, Transfer};
 
 /// Names the colour format of a display.
@@ -35,21 +35,27 @@ fn rgb<C: RgbColor>(color: C) -> [u8; 3] {
 
 /// Is a pixel before it is rounded for its panel, so that one renderer serves all panels of colours and
 /// one all panels of greys.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Unrounded<const GRAY: bool> {
-    levels: [u32; 3],
-    threshold: u32,
+    /// What the panel's channels show, as fractions of 2^16.
+    pub levels: [u32; 3],
+}
+
+impl<const GRAY: bool> PixelColor for Unrounded<GRAY> {
+    type Raw = ();
 }
 
 impl<const GRAY: bool> Encode for Unrounded<GRAY> {
-    const DARKEST: Self = Self { levels: [0; 3], threshold: 0 };
+    const DARKEST: Self = Self { levels: [0; 3] };
+    /// Nothing is rounded, so that nothing is left to hand on.
+    const TOPS: [u8; 3] = [0; 3];
 
     fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
         if GRAY { Gray8::levels(light, transfer) } else { Rgb888::levels(light, transfer) }
     }
 
-    fn from_levels(levels: [u32; 3], threshold: u32) -> Self {
-        Self { levels, threshold }
+    fn by_thresholds(levels: [u32; 3], _: [u32; 3]) -> Self {
+        Self { levels }
     }
 }
 
@@ -70,36 +76,57 @@ impl Panel {
         }
     }
 
-    /// Encodes light for the panel with the core's own encoder and answers what it looks like.
-    pub fn show<S: Scalar>(
-        self,
-        light: Rgb<S>,
-        transfer: Transfer,
-        dither: Dither,
-        x: u32,
-        y: u32,
-    ) -> [u8; 3] {
-        let quantizer = Quantizer::new(transfer, dither, x, y);
-        match self {
-            Self::Rgb565 | Self::Rgb666 | Self::Rgb888 => {
-                self.round(Unrounded::<false>::from_light(light, quantizer))
-            }
-            Self::Gray8 | Self::Gray4 | Self::Mono => {
-                self.round(Unrounded::<true>::from_light(light, quantizer))
-            }
+    /// Tells whether it shows greys only.
+    pub fn is_gray(self) -> bool {
+        matches!(self, Self::Gray8 | Self::Gray4 | Self::Mono)
+    }
+
+    /// Answers what the panel's channels are to show of light, as fractions of 2^16, by the core's own encoder.
+    pub fn levels<S: Scalar>(self, light: Rgb<S>, transfer: Transfer) -> [u32; 3] {
+        let unrounded = Quantizer::of_threshold(transfer, 0);
+        if self.is_gray() {
+            Unrounded::<true>::from_light(light, unrounded).levels
+        } else {
+            Unrounded::<false>::from_light(light, unrounded).levels
         }
     }
 
-    /// Rounds a pixel with the core's own encoder and answers what it looks like.
-    pub fn round<const GRAY: bool>(self, pixel: Unrounded<GRAY>) -> [u8; 3] {
-        let Unrounded { levels, threshold } = pixel;
+    /// Answers the levels that a pixel's 8 bits stand for, in steps of 8 bits, without what they round off.
+    pub fn exactly(self, shown: [u8; 3]) -> [f64; 3] {
+        let tops = match self {
+            Self::Rgb565 => Rgb565::TOPS,
+            Self::Rgb666 => Rgb666::TOPS,
+            Self::Rgb888 | Self::Gray8 => [255; 3],
+            Self::Gray4 => [15; 3],
+            Self::Mono => [1; 3],
+        };
+        std::array::from_fn(|i| {
+            let step = 255.0 / f64::from(tops[i]);
+            (f64::from(shown[i]) / step).round() * step
+        })
+    }
+
+    /// Rounds the levels of the pixel in column `x` with the core's own encoder and answers what it looks like.
+    pub fn round_pixel(self, x: u32, levels: [u32; 3], rounding: &mut Rounding) -> [u8; 3] {
         match self {
-            Self::Rgb565 => rgb(Rgb565::from_levels(levels, threshold)),
-            Self::Rgb666 => rgb(Rgb666::from_levels(levels, threshold)),
-            Self::Rgb888 => rgb(Rgb888::from_levels(levels, threshold)),
-            Self::Gray8 => [Gray8::from_levels(levels, threshold).luma(); 3],
-            Self::Gray4 => [spread(Gray4::from_levels(levels, threshold).luma(), 15); 3],
-            Self::Mono => [spread(BinaryColor::from_levels(levels, threshold).is_on() as u8, 1); 3],
+            Self::Rgb565 => rgb::<Rgb565>(rounding.round(x, levels)),
+            Self::Rgb666 => rgb::<Rgb666>(rounding.round(x, levels)),
+            Self::Rgb888 => rgb::<Rgb888>(rounding.round(x, levels)),
+            Self::Gray8 => [rounding.round::<Gray8>(x, levels).luma(); 3],
+            Self::Gray4 => [spread(rounding.round::<Gray4>(x, levels).luma(), 15); 3],
+            Self::Mono => [spread(rounding.round::<BinaryColor>(x, levels).is_on() as u8, 1); 3],
         }
+    }
+
+    /// Rounds the levels of row `y` and answers what it looks like.
+    pub fn round_row(self, levels: impl Iterator<Item = [u32; 3]>, dither: Dither, y: u32) -> Vec<[u8; 3]> {
+        let mut rounding = Rounding::of_row(dither, y);
+        (0..).zip(levels).map(|(x, levels)| self.round_pixel(x, levels, &mut rounding)).collect()
+    }
+
+    /// Rounds the levels of a picture of so many columns and answers what it looks like.
+    pub fn round(self, levels: &[[u32; 3]], columns: u32, dither: Dither) -> Vec<[u8; 3]> {
+        let rows = (0..).zip(levels.chunks(columns.max(1) as usize));
+        rows.flat_map(|(y, row)| self.round_row(row.iter().copied(), dither, y)).collect()
     }
 }

@@ -50,7 +50,7 @@ pub fn pool(threads: Option<NonZeroUsize>) -> Result<ThreadPool, ThreadPoolBuild
 /// What keeps the core from drawing the view.
 pub fn trace<S: Scalar + Send + Sync>(
     view: &View<S>,
-    settings: Settings<S>,
+    settings: Settings<S, impl Quality + Sync>,
     size: [u32; 2],
     row_done: impl FnMut(u32) + Send,
 ) -> Result<Film<S>, RenderError> {
@@ -72,7 +72,7 @@ pub fn trace<S: Scalar + Send + Sync>(
 /// Traces the rows of a picture from `top` on, with a workspace of their own.
 fn trace_band<S: Scalar>(
     view: &View<S>,
-    settings: Settings<S>,
+    settings: Settings<S, impl Quality>,
     [columns, rows]: [u32; 2],
     top: u32,
     row_done: impl Fn(u32),
@@ -111,13 +111,10 @@ pub fn draw<S: Scalar>(
     panel: Panel,
     row_done: impl FnMut(u32),
 ) -> Result<Drawn, RenderError> {
-    match panel {
-        Panel::Rgb565 | Panel::Rgb666 | Panel::Rgb888 => {
-            draw_in::<S, false>(view, settings, size, panel, row_done)
-        }
-        Panel::Gray8 | Panel::Gray4 | Panel::Mono => {
-            draw_in::<S, true>(view, settings, size, panel, row_done)
-        }
+    if panel.is_gray() {
+        draw_in::<S, true>(view, settings, size, panel, row_done)
+    } else {
+        draw_in::<S, false>(view, settings, size, panel, row_done)
     }
 }
 
@@ -137,20 +134,21 @@ fn draw_in<S: Scalar, const GRAY: bool>(
     for y in 0..rows {
         // The row exists, and there is a place for each of its pixels.
         let _ = renderer.watch_row(y, &mut row, &mut drawn.rays);
-        drawn.pixels.extend(row.iter().map(|pixel| panel.round(*pixel)));
+        drawn.pixels.extend(panel.round_row(row.iter().map(|pixel| pixel.levels), settings.dither, y));
         row_done(y);
     }
     Ok(drawn)
 }
 
 impl<S: Scalar + Sync> Film<S> {
+    /// Answers what the panel's channels are to show before they are rounded, as fractions of 2^16.
+    pub fn levels(&self, panel: Panel, transfer: Transfer) -> Vec<[u32; 3]> {
+        self.light.par_iter().map(|light| panel.levels(*light, transfer)).collect()
+    }
+
     /// Encodes the light for a panel as the core does and answers what the panel shows, in 8 bits
     /// a channel.
     pub fn on_panel(&self, panel: Panel, transfer: Transfer, dither: Dither) -> Vec<[u8; 3]> {
-        let columns = self.size[0] as usize;
-        let pixel = |(i, light): (usize, &Rgb<S>)| {
-            panel.show(*light, transfer, dither, (i % columns) as u32, (i / columns) as u32)
-        };
-        self.light.par_iter().enumerate().map(pixel).collect()
+        panel.round(&self.levels(panel, transfer), self.size[0], dither)
     }
 }

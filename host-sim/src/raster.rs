@@ -40,9 +40,10 @@ pub fn draw<S: Scalar>(
     panel: Panel,
     row_done: impl FnMut(u32),
 ) -> Result<Rasterized, RenderError> {
-    match panel {
-        Panel::Rgb565 | Panel::Rgb666 | Panel::Rgb888 => draw_in::<S, false>(view, size, panel, row_done),
-        Panel::Gray8 | Panel::Gray4 | Panel::Mono => draw_in::<S, true>(view, size, panel, row_done),
+    if panel.is_gray() {
+        draw_in::<S, true>(view, size, panel, row_done)
+    } else {
+        draw_in::<S, false>(view, size, panel, row_done)
     }
 }
 
@@ -61,7 +62,7 @@ fn draw_in<S: Scalar, const GRAY: bool>(
     for y in 0..rows {
         // The row exists, and there is a place for each of its pixels.
         let _ = renderer.watch_row(y, &mut row, &mut fragments);
-        pixels.extend(row.iter().map(|pixel| panel.round(*pixel)));
+        pixels.extend(panel.round_row(row.iter().map(|pixel| pixel.levels), view.settings.dither, y));
         row_done(y);
     }
     Ok(Rasterized { pixels, fragments: fragments.0 })

@@ -2,14 +2,14 @@
 
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
-use crate::picture;
+use crate::picture::{self, Drawn};
 use crate::raster;
 use crate::reference::Unknown;
 use crate::scenes::{Entry, HostNumber, camera_in};
 use crate::turn::Turn;
 use scanray::gallery::View;
 use scanray::trace::RayCounts;
-use scanray::{Adaptive, Camera, Fixed, RenderError, Transfer};
+use scanray::{Adaptive, AtEdges, Camera, Dither, Exact, Fixed, Jittered, RenderError, Transfer, Uniform};
 use std::fmt;
 use std::time::{Duration, Instant};
 
@@ -48,6 +48,29 @@ pub enum Quality {
     Exact,
     /// Not what lies between pixels that see the same.
     Adaptive,
+    /// Every pixel, or those on edges, by several rays.
+    Sampled(Sampling),
+}
+
+/// Is how several rays go through a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// Rays along a side of the pixel: their number is the square of it.
+    pub side: u8,
+    /// Whether they are scattered.
+    pub jittered: bool,
+    /// Whether only pixels on edges take several.
+    pub at_edges: bool,
+}
+
+impl Quality {
+    /// Answers how many rays along a side of a pixel the picture is an approximation of.
+    fn side(self) -> u8 {
+        match self {
+            Self::Exact | Self::Adaptive => 1,
+            Self::Sampled(Sampling { side, .. }) => side,
+        }
+    }
 }
 
 /// Names who draws a picture.
@@ -78,6 +101,8 @@ pub struct Shot {
     pub depth: u8,
     /// How light becomes levels.
     pub transfer: Transfer,
+    /// How levels are rounded.
+    pub dither: Dither,
     /// How much of it is traced.
     pub quality: Quality,
     /// Who draws it; there is one reference for both.
@@ -119,6 +144,7 @@ impl Shot {
             panel: Panel::Rgb565,
             depth: view.settings.depth,
             transfer: view.settings.transfer,
+            dither: view.settings.dither,
             quality: Quality::Exact,
             approach: Approach::Trace,
         }
@@ -146,7 +172,8 @@ impl Shot {
         // The reference leaves the check of what it is given to the core.
         view.scene.check().map_err(RenderError::from)?;
         view.camera.frame(self.size[0], self.size[1]).map_err(RenderError::from)?;
-        Ok(Comparison::trace(&view, view.settings, self.size, row_done)?)
+        let side = u32::from(self.quality.side());
+        Ok(Comparison::trace_samples(&view, view.settings, self.size, side, row_done)?)
     }
 
     /// Judges a picture of this shot.
@@ -156,10 +183,11 @@ impl Shot {
     }
 
     /// Answers the gallery's view with what this shot changes of it.
-    fn view<S: HostNumber>(&self) -> View<S> {
+    pub(crate) fn view<S: HostNumber>(&self) -> View<S> {
         let mut view = *S::view(&self.scene);
         view.camera = self.turn.carry(&camera_in(&self.camera));
-        view.settings = view.settings.with_depth(self.depth).with_transfer(self.transfer);
+        let Self { depth, transfer, dither, .. } = *self;
+        view.settings = view.settings.with_depth(depth).with_transfer(transfer).with_dither(dither);
         view
     }
 
@@ -170,11 +198,14 @@ impl Shot {
         }
         let begin = Instant::now();
         let drawn = match self.quality {
-            Quality::Exact => picture::draw(&view, view.settings, self.size, self.panel, row_done),
-            Quality::Adaptive => {
-                let settings = view.settings.with_quality(Adaptive);
-                picture::draw(&view, settings, self.size, self.panel, row_done)
-            }
+            Quality::Exact => self.draw(&view, Exact, row_done),
+            Quality::Adaptive => self.draw(&view, Adaptive, row_done),
+            Quality::Sampled(Sampling { side, jittered, at_edges }) => match (jittered, at_edges) {
+                (false, false) => self.draw(&view, Uniform(side), row_done),
+                (true, false) => self.draw(&view, Jittered(side), row_done),
+                (false, true) => self.draw(&view, AtEdges(Uniform(side)), row_done),
+                (true, true) => self.draw(&view, AtEdges(Jittered(side)), row_done),
+            },
         }?;
         let time = begin.elapsed();
         let picture = Picture { size: self.size, pixels: drawn.pixels };
@@ -187,6 +218,15 @@ impl Shot {
         let time = begin.elapsed();
         let picture = Picture { size: self.size, pixels: drawn.pixels };
         Ok(Taken { picture, rays: None, fragments: Some(drawn.fragments), time })
+    }
+
+    fn draw<S: HostNumber>(
+        &self,
+        view: &View<S>,
+        quality: impl scanray::Quality,
+        row_done: impl FnMut(u32),
+    ) -> Result<Drawn, RenderError> {
+        picture::draw(view, view.settings.with_quality(quality), self.size, self.panel, row_done)
     }
 
     fn take_reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
@@ -206,6 +246,9 @@ pub enum Refusal {
     Core(RenderError),
     /// The reference has no formula for it.
     Reference(Unknown),
+    /// It cannot become finer step by step: it is the reference's or the z-buffer's, or its pixels depend on
+    /// each other.
+    NotProgressive,
 }
 
 impl fmt::Display for Refusal {
@@ -213,6 +256,9 @@ impl fmt::Display for Refusal {
         match self {
             Self::Core(error) => error.fmt(f),
             Self::Reference(error) => error.fmt(f),
+            Self::NotProgressive => f.write_str(
+                "only the tracer's pictures whose pixels do not depend on each other become finer step by step",
+            ),
         }
     }
 }

@@ -1,66 +1,10 @@
 //! The command line as a user meets it: the built program, its files, its answers.
 
-use host_sim::panel::Panel;
-use host_sim::picture;
-use scanray::Dither;
-use scanray::gallery::{Gallery, fixed, float};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod desk;
 
-/// Is a directory of a test's own that goes with it.
-struct Desk(PathBuf);
-
-impl Desk {
-    fn new(test: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("scanray-cli-{test}-{}", std::process::id()));
-        std::fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    fn run(&self, arguments: &str) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_scanray"));
-        command.args(arguments.split_whitespace()).current_dir(&self.0).env_remove("DISPLAY");
-        command.output().unwrap()
-    }
-
-    fn files(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(&self.0).unwrap();
-        let mut names: Vec<String> =
-            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-}
-
-impl Drop for Desk {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-fn read(path: &Path) -> (Vec<[u8; 3]>, [u32; 2]) {
-    let picture = image::open(path).unwrap().into_rgb8();
-    (picture.pixels().map(|pixel| pixel.0).collect(), [picture.width(), picture.height()])
-}
-
-/// Demands exit code 2, nothing on stdout, and an error that says all this.
-fn assert_refused(desk: &Desk, arguments: &str, says: &[&str]) {
-    let output = desk.run(arguments);
-    assert_eq!(output.status.code(), Some(2), "{arguments}: {output:?}");
-    assert_eq!(stdout(&output), "", "{arguments}");
-    for word in says {
-        assert!(stderr(&output).contains(word), "{arguments} does not say {word:?}: {}", stderr(&output));
-    }
-    assert!(!stderr(&output).contains("panicked"), "{}", stderr(&output));
-}
+use desk::{Desk, assert_refused, read, stderr, stdout};
+use scanray::gallery::Gallery;
+use std::process::Command;
 
 #[test]
 fn without_arguments_it_draws_the_simple_scene_and_tells_what_it_did() {
@@ -74,47 +18,6 @@ fn without_arguments_it_draws_the_simple_scene_and_tells_what_it_did() {
         assert!(text.contains(word), "no {word:?} in {text}");
     }
     assert!(!text.contains('\u{1b}'), "escapes in what is no terminal: {text}");
-}
-
-#[test]
-fn the_file_holds_the_picture_the_library_makes() {
-    let desk = Desk::new("pixels");
-    let output = desk.run("render c-ray --size 40x30 --panel gray4 --depth 2 -o small.png");
-    assert!(output.status.success(), "{output:?}");
-    let view = float::C_RAY;
-    let film = picture::trace(&view, view.settings.with_depth(2), [40, 30], |_| ()).unwrap();
-    let expected = film.on_panel(Panel::Gray4, view.settings.transfer, Dither::Ordered);
-    assert_eq!(read(&desk.0.join("small.png")), (expected, [40, 30]));
-}
-
-#[test]
-fn number_panel_depth_and_transfer_each_change_the_picture() {
-    let desk = Desk::new("options");
-    let changes = ["", "--number fixed", "--panel rgb888", "--depth 1", "--transfer srgb", "--number oracle"];
-    let pictures = changes.map(|change| {
-        // On 240 x 180 pixels the numbers' roundings show in some of them.
-        let output = desk.run(&format!("render business-card --size 240x180 {change} -o x.png"));
-        assert!(output.status.success(), "{change}: {output:?}");
-        read(&desk.0.join("x.png")).0
-    });
-    for (picture, change) in pictures.iter().zip(changes).skip(1) {
-        assert!(*picture != pictures[0], "{change} changes nothing");
-    }
-}
-
-#[test]
-fn a_step_carries_the_camera_around_and_the_last_is_the_first() {
-    let desk = Desk::new("step");
-    let [first, second, last] = ["0/7", "1/7", "7/7"].map(|step| {
-        let output = desk.run(&format!("render simple --number fixed --size 48x32 --step {step} -o x.png"));
-        assert!(output.status.success(), "{step}: {output:?}");
-        read(&desk.0.join("x.png")).0
-    });
-    assert!(first == last && first != second);
-    let mut view = fixed::SIMPLE;
-    view.camera = view.camera.turned(1, 7);
-    let film = picture::trace(&view, view.settings, [48, 32], |_| ()).unwrap();
-    assert!(film.on_panel(Panel::Rgb565, view.settings.transfer, Dither::Ordered) == second);
 }
 
 #[test]
@@ -222,6 +125,15 @@ fn wrong_words_are_refused_with_a_way_out() {
     assert_refused(&desk, "render --depth 33", &["from 0 to 32"]);
     assert_refused(&desk, "render --step 3", &["3/72"]);
     assert_refused(&desk, "render --panel rgb555", &["rgb565"]);
+    assert_refused(&desk, "render --dither floyd", &["blue-noise", "diffused"]);
+    assert_refused(&desk, "render --samples 9", &["from 1 to 8"]);
+    assert_refused(&desk, "render --samples 0", &["from 1 to 8"]);
+    assert_refused(&desk, "render --jitter", &["--samples"]);
+    assert_refused(&desk, "render --samples 2 --quality adaptive", &["--quality"]);
+    assert_refused(&desk, "progressive --quality adaptive", &["step by step"]);
+    assert_refused(&desk, "progressive --number oracle", &["step by step"]);
+    assert_refused(&desk, "progressive --approach raster", &["step by step"]);
+    assert_refused(&desk, "progressive --size 8x8 -o no/such/place.gif", &["no/such/place.gif", "-o"]);
     assert_refused(&desk, "compare", &["no scene to compare", "--all"]);
     assert_refused(&desk, "compare simple --number oracle", &["f32, fixed and exact"]);
     assert_refused(&desk, "draw", &["draw", "--help"]);
@@ -245,10 +157,9 @@ fn a_window_without_a_display_is_refused_with_a_way_out() {
 #[test]
 fn help_is_no_error_and_gives_examples() {
     let desk = Desk::new("help");
-    for arguments in
-        ["--help", "render --help", "show --help", "compare --help", "list --help", "export --help"]
-    {
-        let output = desk.run(arguments);
+    for command in ["", "render", "show", "progressive", "compare", "dither", "list", "export"] {
+        let arguments = format!("{command} --help");
+        let output = desk.run(&arguments);
         assert!(output.status.success(), "{arguments}");
         assert!(stdout(&output).contains("Examples:"), "{arguments}");
     }

@@ -95,3 +95,24 @@ fn adaptive_pictures_are_compared_with_exact_ones_and_keep_the_promise() {
     assert!(all.iter().any(|kept| kept["worst"].as_f64() > Some(0.0)), "{text}");
     assert_eq!(files, []);
 }
+
+#[test]
+fn pictures_sampled_on_edges_are_compared_with_those_sampled_everywhere() {
+    let (text, _) = compare("edges", "c-ray --number f32 --samples 3 --adaptive-samples --size 96x72 --json");
+    let all: Vec<Value> = serde_json::from_str(&text).unwrap();
+    let figure = |key: &str| all[0][key].as_f64().unwrap();
+    assert!(figure("over_two_steps") < 0.02, "{text}");
+    assert!(figure("traced") > 1.0 / 9.0 && figure("traced") < 0.5, "{text}");
+}
+
+#[test]
+fn several_rays_a_pixel_are_judged_by_several_of_the_reference() {
+    let figures = |test: &str, options: &str| {
+        let (text, _) = compare(test, &format!("c-ray --number exact --size 48x36 --json {options}"));
+        let all: Vec<Value> = serde_json::from_str(&text).unwrap();
+        all[0]["psnr_all_db"].as_f64().unwrap()
+    };
+    // Silhouettes count: one ray of the reference would not be near.
+    assert!(figures("samples", "--samples 3") > 60.0);
+    assert!(figures("jitter", "--samples 3 --jitter") < 45.0);
+}

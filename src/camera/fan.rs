@@ -59,8 +59,14 @@ impl<S: Scalar> Fan<S> {
 impl<S: Scalar> Frame<S> {
     /// Answers the fan of row `y`; `None` if its rays span no plane.
     pub fn row_fan(&self, y: u32) -> Option<Fan<S>> {
+        self.line_fan(y, [1, 2])
+    }
+
+    /// Answers the fan of a line of row `y`, given by the fraction of the row's height that lies above it,
+    /// numerator and denominator; `None` if its rays span no plane.
+    pub fn line_fan(&self, y: u32, above: [u8; 2]) -> Option<Fan<S>> {
         let (along, width) = self.right.narrow().normalize()?;
-        let left = self.row_start(y).narrow();
+        let left = self.line_start(y, above).narrow();
         let start = left.dot(along);
         self.fan(along, [start, width], left - along * start, self.size[0])
     }

@@ -165,10 +165,21 @@ impl<S: Scalar> Frame<S> {
         (!self.parallel).then_some(self.eye)
     }
 
+    /// Answers the sides of a pixel on the window, to the right and downward.
+    pub fn pixel(&self) -> [Vec3<S>; 2] {
+        [self.step(), self.down.scale(1, self.size[1])].map(WideVec3::narrow)
+    }
+
     /// Answers the left end of the middle of a row, from the eye.
     pub(super) fn row_start(&self, y: u32) -> WideVec3<S> {
-        let [_, rows] = self.size;
-        self.corner + self.down.scale(2 * index(y) + 1, 2 * rows)
+        self.line_start(y, [1, 2])
+    }
+
+    /// Answers the left end of a line of a row, from the eye; `above` of the row's height lies above it,
+    /// numerator and denominator.
+    pub(super) fn line_start(&self, y: u32, [above, height]: [u8; 2]) -> WideVec3<S> {
+        let [above, height] = [above, height].map(i32::from);
+        self.corner + self.down.scale(height * index(y) + above, height * self.size[1])
     }
 
     pub(super) fn step(&self) -> WideVec3<S> {

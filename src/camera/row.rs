@@ -59,10 +59,21 @@ impl<'f, S: Scalar> Row<'f, S> {
             if self.x % ANCHOR == 0 { self.start + self.frame.column(self.x) } else { self.at + self.step };
     }
 
-    fn ray(&self) -> RowRay<S> {
+    /// Answers the ray through the middle of the present column's pixel.
+    pub fn here(&self) -> RowRay<S> {
+        self.ray(self.at)
+    }
+
+    /// Answers the ray through a point so far from the middle of the present column's pixel.
+    pub fn beside(&self, offset: WideVec3<S>) -> RowRay<S> {
+        self.ray(self.at + offset)
+    }
+
+    /// Answers the ray through a point of the window, given from the eye.
+    fn ray(&self, at: WideVec3<S>) -> RowRay<S> {
         let frame = self.frame;
         let (near, far) = (frame.near, frame.far);
-        let offset = self.at.narrow();
+        let offset = at.narrow();
         if frame.parallel {
             let ray = Ray::new(frame.eye + offset, frame.forward);
             return RowRay { ray, interval: Interval::new(near, far), length: S::ONE };
@@ -80,7 +91,7 @@ impl<S: Scalar> Iterator for Row<'_, S> {
 
     /// Never ends: a row may be followed past the edge of the picture.
     fn next(&mut self) -> Option<RowRay<S>> {
-        let ray = self.ray();
+        let ray = self.here();
         self.advance();
         Some(ray)
     }

@@ -50,7 +50,7 @@ macro_rules! with_helpers {
         #[allow(unused_imports, reason = "no scene uses everything")]
         use $crate::{camera::*, brdf::CookTorrance, environment::*, gallery::View, glass::*, light::*, material::*,
             math::{Vec3, cosine},
-            output::*, render::Settings, scene::*, shape::*, texture::*, color::Rgb};
+            output::*, render::Settings, scene::*, shape::*, spectrum, texture::*, color::Rgb};
         #[allow(dead_code, reason = "no scene uses everything")]
         const fn v(x: f64, y: f64, z: f64) -> Vec3<S> { Vec3::new(n(x), n(y), n(z)) }
         #[allow(dead_code, reason = "no scene uses everything")]
@@ -66,6 +66,7 @@ use {in_every_number, with_helpers};
 mod bump;
 mod business_card;
 mod c_ray;
+mod color_chart;
 mod displaced;
 mod environment;
 mod first_light;
@@ -120,6 +121,7 @@ macro_rules! gallery_of {
             pub use super::bump::$module::VIEW as BUMP;
             pub use super::business_card::$module::VIEW as BUSINESS_CARD;
             pub use super::c_ray::$module::VIEW as C_RAY;
+            pub use super::color_chart::$module::VIEW as COLOR_CHART;
             pub use super::displaced::$module::VIEW as DISPLACED;
             pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
@@ -160,6 +162,7 @@ macro_rules! gallery_of {
                 BUMP,
                 DISPLACED,
                 ENVIRONMENT,
+                COLOR_CHART,
             ];
         }
 

@@ -35,14 +35,22 @@ pub trait Encode: Copy {
     /// Is the darkest colour.
     const DARKEST: Self;
 
+    /// Lists the highest level of each channel; 0 for one that the panel does not have.
+    const TOPS: [u8; 3];
+
     /// Answers what the panel's channels show of three 24-bit lights (red, green, blue), as fractions of
     /// 2^16; a channel that the panel does not have is 0.
     ///
     /// Colours between two are best found here, after the transfer curve: the eye sees equal steps.
     fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3];
 
-    /// Rounds levels to a colour; the threshold, a fraction of 2^16, is added before rounding down.
-    fn from_levels(levels: [u32; 3], threshold: u32) -> Self;
+    /// Rounds levels to a colour; the thresholds, fractions of 2^16 below 1, are added before rounding down.
+    fn by_thresholds(levels: [u32; 3], thresholds: [u32; 3]) -> Self;
+
+    /// Rounds levels to a colour by the same threshold.
+    fn from_levels(levels: [u32; 3], threshold: u32) -> Self {
+        Self::by_thresholds(levels, [threshold; 3])
+    }
 
     /// Makes the colour of three 24-bit lights: red, green, blue.
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {
@@ -76,14 +84,14 @@ macro_rules! encode_rgb {
     ($color:ty, $red:expr, $green:expr, $blue:expr) => {
         impl Encode for $color {
             const DARKEST: Self = <$color>::new(0, 0, 0);
+            const TOPS: [u8; 3] = [$red, $green, $blue];
 
             fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
                 light.map(|light| transfer.level(light))
             }
 
-            fn from_levels([r, g, b]: [u32; 3], threshold: u32) -> Self {
-                let level = |level, top| quantize(level, top, threshold);
-                <$color>::new(level(r, $red), level(g, $green), level(b, $blue))
+            fn by_thresholds([r, g, b]: [u32; 3], [red, green, blue]: [u32; 3]) -> Self {
+                <$color>::new(quantize(r, $red, red), quantize(g, $green, green), quantize(b, $blue, blue))
             }
 
             /// Finishes a channel before the next is begun: three at once take ten instructions more.
@@ -101,36 +109,39 @@ encode_rgb!(Rgb888, Rgb888::MAX_R, Rgb888::MAX_G, Rgb888::MAX_B);
 
 impl Encode for Gray8 {
     const DARKEST: Self = Gray8::new(0);
+    const TOPS: [u8; 3] = [255, 0, 0];
 
     fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
         gray(light, transfer)
     }
 
-    fn from_levels([gray, ..]: [u32; 3], threshold: u32) -> Self {
+    fn by_thresholds([gray, ..]: [u32; 3], [threshold, ..]: [u32; 3]) -> Self {
         Gray8::new(quantize(gray, 255, threshold))
     }
 }
 
 impl Encode for Gray4 {
     const DARKEST: Self = Gray4::new(0);
+    const TOPS: [u8; 3] = [15, 0, 0];
 
     fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
         gray(light, transfer)
     }
 
-    fn from_levels([gray, ..]: [u32; 3], threshold: u32) -> Self {
+    fn by_thresholds([gray, ..]: [u32; 3], [threshold, ..]: [u32; 3]) -> Self {
         Gray4::new(quantize(gray, 15, threshold))
     }
 }
 
 impl Encode for BinaryColor {
     const DARKEST: Self = BinaryColor::Off;
+    const TOPS: [u8; 3] = [1, 0, 0];
 
     fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
         gray(light, transfer)
     }
 
-    fn from_levels([gray, ..]: [u32; 3], threshold: u32) -> Self {
+    fn by_thresholds([gray, ..]: [u32; 3], [threshold, ..]: [u32; 3]) -> Self {
         if quantize(gray, 1, threshold) == 1 { BinaryColor::On } else { BinaryColor::Off }
     }
 }
@@ -138,13 +149,14 @@ impl Encode for BinaryColor {
 /// Is an [`Rgb565`] as most panels take it over the bus: the high byte first.
 impl Encode for [u8; 2] {
     const DARKEST: Self = [0, 0];
+    const TOPS: [u8; 3] = Rgb565::TOPS;
 
     fn levels(light: [u32; 3], transfer: Transfer) -> [u32; 3] {
         Rgb565::levels(light, transfer)
     }
 
-    fn from_levels(levels: [u32; 3], threshold: u32) -> Self {
-        Rgb565::from_levels(levels, threshold).into_storage().to_be_bytes()
+    fn by_thresholds(levels: [u32; 3], thresholds: [u32; 3]) -> Self {
+        Rgb565::by_thresholds(levels, thresholds).into_storage().to_be_bytes()
     }
 
     fn encode(light: [u32; 3], quantizer: Quantizer) -> Self {

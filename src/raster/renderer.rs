@@ -5,7 +5,7 @@ use super::{figure, shading};
 use crate::camera::{Camera, CameraError, Frame};
 use crate::color::Rgb;
 use crate::math::Scalar;
-use crate::output::{Encode, Quantizer};
+use crate::output::{Encode, Rounding, light_bits};
 use crate::render::{RenderError, RowError, Settings};
 use crate::scene::Scene;
 use crate::shape::Intersect;
@@ -98,10 +98,10 @@ impl<'a, 'w, S: Scalar, const WIDTH: usize, X: Intersect<S>> RasterRenderer<'a, 
         observer: &'r mut O,
     ) -> impl Iterator<Item = P> + 'r {
         let Settings { transfer, dither, .. } = self.settings;
-        let thresholds = dither.thresholds(y).iter().cycle();
-        self.light(y, slice, observer).zip(thresholds).map(move |(light, threshold)| {
-            P::from_light(light, Quantizer::of_threshold(transfer, *threshold))
-        })
+        let mut rounding = Rounding::of_row(dither, y);
+        (0..)
+            .zip(self.light(y, slice, observer))
+            .map(move |(x, light)| rounding.encode(x, light_bits(light), transfer))
     }
 
     /// Answers the plane of row `y`.

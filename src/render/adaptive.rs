@@ -6,12 +6,13 @@
 //! and its segments alone, so that parts of a row come out as the whole does.
 
 use super::Quality;
+use super::alike::{are_alike, short};
 use super::marks::Marks;
 use super::picture::Picture;
 use super::workspace::Scratch;
 use crate::camera::Row;
 use crate::math::Scalar;
-use crate::output::{Encode, Thresholds, Transfer, light_bits};
+use crate::output::{Encode, Rounding, Transfer, light_bits};
 use crate::shape::Intersect;
 use crate::trace::{Candidates, LANES, Observer, Packet, Tracer};
 use core::ops::Range;
@@ -29,10 +30,6 @@ const NARROW: u32 = 12;
 /// Is how many columns one packet of samples reaches.
 const REACH: usize = STEP as usize * LANES;
 
-/// Is the most that a channel may change between two samples, as a fraction of 2^16: two steps of five
-/// bits. What is filled in lies between them, and mostly within a tenth of this of what is there.
-const ALIKE: u16 = (2 * 65_536 / 31) as u16;
-
 /// Is what a pixel shows and what its ray has seen.
 #[derive(Clone, Copy)]
 struct Sample {
@@ -49,8 +46,7 @@ impl Sample {
 
     /// Tells whether two samples saw the same in about the same colour.
     fn agrees(&self, other: &Self) -> bool {
-        let close = |(a, b): (&u16, &u16)| a.abs_diff(*b) <= ALIKE;
-        self.mark == other.mark && self.levels.iter().zip(&other.levels).all(close)
+        self.mark == other.mark && are_alike(&self.levels, &other.levels)
     }
 }
 
@@ -165,9 +161,7 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
         self.marks.clear();
         let light = self.tracer.radiance(self.packet, rays, candidates, &mut self.marks);
         for ((place, light), mark) in wanted.iter().zip(light).zip(self.marks.marks()) {
-            // White is 2^16, and the level below it is rounded to the same by every threshold there is.
-            let white = u32::from(u16::MAX);
-            let levels = P::levels(light_bits(*light), self.transfer).map(|level| level.min(white) as u16);
+            let levels = P::levels(light_bits(*light), self.transfer).map(short);
             let sample = Sample { levels, mark: *mark, ..block.at(*place) };
             block.set(*place, sample);
         }
@@ -190,15 +184,15 @@ struct Pen<'p, P> {
     places: &'p mut [P],
     /// The column of the first place.
     first: u32,
-    thresholds: &'static Thresholds,
+    rounding: Rounding,
 }
 
 impl<P: Encode> Pen<'_, P> {
     fn put(&mut self, x: u32, levels: [u32; 3]) {
+        let color = self.rounding.round(x, levels);
         // Columns left of the first come out beyond the last.
         if let Some(place) = self.places.get_mut(x.wrapping_sub(self.first) as usize) {
-            let threshold = self.thresholds[x as usize % self.thresholds.len()];
-            *place = P::from_levels(levels, u32::from(threshold));
+            *place = color;
         }
     }
 
@@ -252,11 +246,13 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
         let tracer = self.tracer(vicinities, pending);
         let marks = Marks::new(observer);
         let mut probe = Probe { tracer, packet, marks, transfer: self.settings.transfer };
-        let mut pen = Pen { places, first: columns.start, thresholds: self.settings.dither.thresholds(y) };
+        let mut pen =
+            Pen { places, first: columns.start, rounding: Rounding::of_row(self.settings.dither, y) };
         let mut block = Block::new();
         let phase = y % 2 * (STEP / 2);
         // A segment cut here, before the first column, is wide with or without what is cut off.
-        let mut x = (columns.start.saturating_sub(NARROW) + phase) / STEP * STEP;
+        let first = self.settings.dither.first_column(columns.start);
+        let mut x = (first.saturating_sub(NARROW) + phase) / STEP * STEP;
         x = x.saturating_sub(phase);
         spans.enter_row(&self.scene, &self.frame, y);
         let mut row = self.frame.row(y, x);

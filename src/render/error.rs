@@ -26,6 +26,13 @@ pub enum RenderError {
     },
     /// The exposure is negative, not a number or too large for the number type.
     Exposure,
+    /// A pixel is to take no samples, or too many.
+    Samples {
+        /// Samples asked for along a side of a pixel.
+        side: u8,
+        /// The most there may be.
+        most: u8,
+    },
 }
 
 impl fmt::Display for RenderError {
@@ -40,6 +47,9 @@ impl fmt::Display for RenderError {
                 write!(f, "a depth of {depth} does not fit a workspace for {room} bounces")
             }
             Self::Exposure => f.write_str("the exposure is negative, not a number or too large"),
+            Self::Samples { side, most } => {
+                write!(f, "a pixel takes 1 x 1 to {most} x {most} samples, not {side} x {side}")
+            }
         }
     }
 }

@@ -1,9 +1,10 @@
+use super::quality::Way;
 use super::workspace::Scratch;
 use super::{Quality, Settings};
 use crate::camera::Frame;
 use crate::color::Rgb;
 use crate::math::Scalar;
-use crate::output::{Encode, Quantizer};
+use crate::output::{Encode, Rounding, light_bits};
 use crate::scene::Scene;
 use crate::shape::Intersect;
 use crate::trace::{LANES, Observer, Pending, RayKind, Tracer, Vicinities};
@@ -46,6 +47,11 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         mut pixel: impl FnMut(u32, Rgb<S>),
     ) {
         let columns = columns.start..columns.end.min(self.size.width);
+        match Q::WAY {
+            Way::Sampled => return self.sample_row(scratch, y, columns, observer, pixel),
+            Way::SampledAtEdges => return self.sample_edges(scratch, y, columns, observer, pixel),
+            Way::Traced | Way::FilledIn => {}
+        }
         let Scratch { packet, spans, vicinities, pending } = scratch;
         spans.enter_row(&self.scene, &self.frame, y);
         let mut tracer = self.tracer(vicinities, pending);
@@ -84,16 +90,18 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         places: &mut [P],
         observer: &mut impl Observer,
     ) {
-        if Q::FILLS_IN {
+        if Q::WAY == Way::FilledIn {
             return self.fill_row(scratch, y, columns, places, observer);
         }
         let Settings { transfer, dither, .. } = self.settings;
-        let thresholds = dither.thresholds(y);
-        let mut places = places.iter_mut();
-        self.trace_row(scratch, y, columns, observer, |x, light| {
-            if let Some(place) = places.next() {
-                let threshold = thresholds[x as usize % thresholds.len()];
-                *place = P::from_light(light, Quantizer::of_threshold(transfer, threshold));
+        let mut rounding = Rounding::of_row(dither, y);
+        let first = columns.start;
+        let traced = dither.first_column(first)..columns.end;
+        self.trace_row(scratch, y, traced, observer, |x, light| {
+            let color = rounding.encode(x, light_bits(light), transfer);
+            // Columns left of the first come out beyond the last.
+            if let Some(place) = places.get_mut(x.wrapping_sub(first) as usize) {
+                *place = color;
             }
         });
     }

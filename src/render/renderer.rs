@@ -20,8 +20,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// whatever order it is asked for.
 #[derive(Debug)]
 pub struct Renderer<'a, 'w, S: Scalar, C, const WIDTH: usize, const DEPTH: usize, X = Infallible, Q = Exact> {
-    picture: Picture<'a, S, X, Q>,
-    workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
+    pub(super) picture: Picture<'a, S, X, Q>,
+    pub(super) workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
 }
 
 impl<'a, 'w, S, C, const WIDTH: usize, const DEPTH: usize, X, Q> Renderer<'a, 'w, S, C, WIDTH, DEPTH, X, Q>
@@ -51,6 +51,7 @@ where
             return Err(RenderError::TooDeep { depth: settings.depth, room: DEPTH });
         }
         settings.check_exposure()?;
+        settings.quality.pattern().check()?;
         let frame = camera.frame(size.width, size.height)?;
         workspace.scratch.spans.enter_picture(scene, &frame);
         workspace.scratch.vicinities.clear();
@@ -73,8 +74,8 @@ where
 
     /// Traces the pixels `columns` of row `y` and hands each its linear light, left to right.
     ///
-    /// Columns beyond the picture are left out. Every pixel is traced, whatever the quality: pixels are
-    /// filled in on their way to a panel, in its levels.
+    /// Columns beyond the picture are left out. With [`Adaptive`](crate::Adaptive) too every pixel is traced:
+    /// pixels are filled in on their way to a panel, in its levels.
     ///
     /// # Errors
     /// [`RowError::NoSuchRow`] below the picture.
@@ -166,7 +167,8 @@ where
     /// Draws a part of the picture, given in the picture's own pixels, where it belongs when the
     /// picture's upper left corner is at a point of the display.
     ///
-    /// What of `part` lies outside the picture is not drawn.
+    /// What of `part` lies outside the picture is not drawn. With
+    /// [`Dither::Diffused`](crate::Dither::Diffused) its rows are traced from the picture's left edge on.
     ///
     /// # Errors
     /// The display's own error, untouched.
@@ -175,6 +177,16 @@ where
         part: &Rectangle,
         corner: Point,
         target: &mut D,
+    ) -> Result<(), D::Error> {
+        self.watch_part(part, corner, target, &mut ())
+    }
+
+    pub(super) fn watch_part<D: DrawTarget<Color = C>>(
+        &mut self,
+        part: &Rectangle,
+        corner: Point,
+        target: &mut D,
+        observer: &mut impl Observer,
     ) -> Result<(), D::Error> {
         const { assert!(WIDTH > 0, "drawing needs a workspace with room for a row") };
         let part = part.intersection(&Rectangle::new(Point::zero(), self.picture.size));
@@ -187,7 +199,7 @@ where
         // No row is longer than WIDTH: `new` has seen to it.
         let (pixels, _) = scanline.split_at_mut(columns.len().min(WIDTH));
         for y in top as u32..top as u32 + part.size.height {
-            self.picture.encode_row(scratch, y, columns.clone(), pixels, &mut ());
+            self.picture.encode_row(scratch, y, columns.clone(), pixels, observer);
             let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
             let row = Rectangle::new(place, Size::new(part.size.width, 1));
             target.fill_contiguous(&row, pixels.iter().copied())?;

@@ -11,9 +11,9 @@ const ROOM: usize = 32;
 
 /// Is an object with the columns of the row in which it can be met.
 #[derive(Clone, Debug)]
-struct Span {
-    index: u16,
-    columns: Range<u16>,
+pub(super) struct Span {
+    pub index: u16,
+    pub columns: Range<u16>,
 }
 
 /// Knows which objects the rays of a picture's pixels can meet: none that they meet is missing.
@@ -25,13 +25,13 @@ struct Span {
 #[derive(Clone, Debug)]
 pub struct Spans {
     /// Rows of the first objects; of those that follow the rows are not known.
-    rows: Vec<Range<u16>, ROOM>,
+    pub(super) rows: Vec<Range<u16>, ROOM>,
     /// Objects of the row, in rising order.
-    row: Vec<Span, ROOM>,
+    pub(super) row: Vec<Span, ROOM>,
     /// Candidates between two ends.
     here: Vec<u16, ROOM>,
     /// Objects that are candidates in the whole row.
-    rest: Range<u16>,
+    pub(super) rest: Range<u16>,
 }
 
 impl Spans {

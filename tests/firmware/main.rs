@@ -7,6 +7,7 @@ mod board;
 mod dealing;
 #[path = "../../examples/boards/one_core.rs"]
 mod one_core;
+mod passes;
 mod table;
 #[path = "../../examples/boards/turntable.rs"]
 mod turntable;
@@ -21,13 +22,14 @@ use board::{Board, Run};
 use embedded_graphics::{geometry::Size, pixelcolor::Gray4, prelude::*};
 use scanray::{
     Fixed, Renderer, Scalar, Workspace,
-    gallery::{Gallery, View},
+    gallery::{self, Gallery, View},
     output::Encode,
 };
 
 const RP2040: Board = Board { example: "rp2040_st7789", target: "thumbv6m-none-eabi" };
 const SPIN: Board = Board { example: "rp2040_spin", target: "thumbv6m-none-eabi" };
 const TWO_CORES: Board = Board { example: "rp2040_two_cores", target: "thumbv6m-none-eabi" };
+const PROGRESSIVE: Board = Board { example: "rp2040_progressive", target: "thumbv6m-none-eabi" };
 const LM3S6965: Board = Board { example: "lm3s6965_oled", target: "thumbv7m-none-eabi" };
 const MPS2: Board = Board { example: "mps2_bench", target: "thumbv7em-none-eabihf" };
 
@@ -63,6 +65,21 @@ fn two_cores_of_an_rp2040_show_what_the_host_computes_in_half_the_time() {
     assert!(frame < tracing + tracing / 20, "{frame} cycles, of which the first core traces {tracing}");
     table::add(&run, "three-spheres, 240x240, turning, first core", "instructions");
     table::print_times(&run);
+}
+
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn an_rp2040_shows_every_other_pass_as_the_host_and_ends_with_the_direct_picture() {
+    // A panel full of pixels is written by the first pass, and by every two of the others.
+    let run = Run::of_frames(&PROGRESSIVE, 3);
+    let shown = [0, 1, 2].map(|frame| run.picture(&format!("rp2040_progressive-{frame}.rgb565")));
+    let host = passes::of::<240>(&gallery::fixed::THREE_SPHERES);
+    for (shown, side) in shown.iter().zip([16, 4, 1]) {
+        let (_, pass) = host.iter().find(|(pass, _)| *pass == side).expect("a pass of that side");
+        assert_same(shown, pass, 2 * 240);
+    }
+    assert_same(&shown[2], picture::<Fixed, [u8; 2]>("three-spheres", 240, 240).as_flattened(), 2 * 240);
+    table::add(&run, "three-spheres, 240x240, progressive", "instructions");
 }
 
 /// Answers the first two pictures of a turning board, which are the host's.

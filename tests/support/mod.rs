@@ -5,7 +5,31 @@ pub mod picture;
 
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use scanray::{Camera, Light, Material, Object, Plane, Rgb, Scene, Shape, Sphere, Vec3};
+use scanray::render::Quality;
+use scanray::trace::Observer;
+use scanray::{
+    Camera, Intersect, Light, Material, Object, Plane, Renderer, Rgb, Scalar, Scene, Settings, Shape, Sphere,
+    Vec3, Workspace,
+};
+
+/// Traces the light of a picture.
+pub fn film<S: Scalar, X: Intersect<S>, Q: Quality>(
+    scene: &Scene<'_, S, X>,
+    camera: &Camera<S>,
+    [columns, rows]: [u32; 2],
+    settings: Settings<S, Q>,
+    observer: &mut impl Observer,
+) -> Vec<Rgb<S>> {
+    let mut workspace = Workspace::<S, [u8; 2], 0, 5>::new();
+    let size = Size::new(columns, rows);
+    let mut renderer =
+        Renderer::new(scene, camera, size, settings, &mut workspace).expect("a picture that can be drawn");
+    let mut film = Vec::new();
+    for y in 0..rows {
+        renderer.trace_row(y, 0..columns, observer, |_, light| film.push(light)).expect("a row of it");
+    }
+    film
+}
 
 /// Is a display that accepts nothing but whole rows from `fill_contiguous`, and can fail.
 pub struct StrictDisplay<C> {

@@ -12,6 +12,7 @@
 //! The Pico's own LED (GPIO 25) is lit while the first core traces and dark while it waits for the panel.
 
 mod board;
+mod display;
 mod panel;
 
 use core::panic::PanicInfo;
@@ -26,7 +27,7 @@ pub use self::{
 };
 
 /// Counts the bounces a ray may take.
-const DEPTH: usize = 5;
+pub const DEPTH: usize = 5;
 
 /// Is what tracing takes beside the rows' buffers.
 pub type Space = Workspace<Fixed, [u8; 2], 0, DEPTH>;

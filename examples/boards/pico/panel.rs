@@ -39,11 +39,8 @@ pub type Bus = Spi<Enabled, pac::SPI0, (SpiPin<Gpio19>, SpiPin<Gpio18>), 8>;
 /// Is the two DMA channels that take turns, so that a row follows the last without a gap.
 pub type Channels = (Channel<CH0>, Channel<CH1>);
 
-type Commands<'a> = SpiInterface<
-    'static,
-    ExclusiveDevice<&'a mut Bus, &'a mut Output<Gpio17>, NoDelay>,
-    &'a mut Output<Gpio16>,
->;
+pub(super) type Commands<'a> =
+    SpiInterface<'a, ExclusiveDevice<&'a mut Bus, &'a mut Output<Gpio17>, NoDelay>, &'a mut Output<Gpio16>>;
 
 /// Is an ST7789 on its bus.
 pub struct Panel {
@@ -83,7 +80,7 @@ impl Panel {
         (mut select, mut data, reset): (Output<Gpio17>, Output<Gpio16>, impl OutputPin),
         delay: &mut impl DelayNs,
     ) -> Option<Self> {
-        Builder::new(ST7789, commands(&mut bus, &mut select, &mut data)?)
+        Builder::new(ST7789, commands(&mut bus, &mut select, &mut data, &mut [])?)
             .display_size(SIDE as u16, SIDE as u16)
             .invert_colors(ColorInversion::Inverted)
             .reset_pin(reset)
@@ -96,9 +93,16 @@ impl Panel {
     pub fn begin(self) -> Option<Self> {
         let Self { line, mut select, mut data } = self.end()?;
         let (channels, spare, mut bus) = line.settle();
-        open_window(commands(&mut bus, &mut select, &mut data)?).ok()?;
+        open_window(commands(&mut bus, &mut select, &mut data, &mut [])?).ok()?;
         select.set_low().ok()?;
         Some(Self { line: Line::Idle(channels, spare, bus), select, data })
+    }
+
+    /// Answers bus, select and D/C, once the last pixel is out.
+    #[allow(dead_code, reason = "rows go by DMA in most of the firmware")]
+    pub(super) fn into_parts(self) -> (Bus, Output<Gpio17>, Output<Gpio16>) {
+        let (_, _, bus) = self.line.settle();
+        (bus, self.select, self.data)
     }
 
     /// Ends a frame, once its last pixel is out.
@@ -125,14 +129,14 @@ impl Wire<Row> for Panel {
     }
 }
 
-/// Answers the panel's command interface, which leaves D/C at "data".
-fn commands<'a>(
+/// Answers the panel's command interface, which leaves D/C at "data"; it needs a buffer only for pixels.
+pub(super) fn commands<'a>(
     bus: &'a mut Bus,
     select: &'a mut Output<Gpio17>,
     data: &'a mut Output<Gpio16>,
+    buffer: &'a mut [u8],
 ) -> Option<Commands<'a>> {
-    // Without room for pixels: those go by DMA.
-    Some(SpiInterface::new(ExclusiveDevice::new_no_delay(bus, select).ok()?, data, &mut []))
+    Some(SpiInterface::new(ExclusiveDevice::new_no_delay(bus, select).ok()?, data, buffer))
 }
 
 fn open_window<I: Interface>(mut panel: I) -> Result<(), I::Error> {

@@ -2,14 +2,25 @@ use super::Error;
 use super::args::CompareArgs;
 use super::render::take;
 use crate::scenes::Entry;
-use crate::shot::{Number, Quality, Shot, Taken};
+use crate::shot::{Number, Quality, Sampling, Shot, Taken};
 use serde::Serialize;
 use std::io::Write;
 
 /// Is two steps of a 5-bit channel in 8 bits, rounded as panels are shown.
 const TWO_STEPS: u8 = 17;
 
-/// Says how far an adaptive picture is from the exact one, and how much less was traced.
+/// Answers the quality of which this one leaves out rays, if it does.
+pub(super) fn whole(quality: Quality) -> Option<Quality> {
+    match quality {
+        Quality::Adaptive => Some(Quality::Exact),
+        Quality::Sampled(sampling @ Sampling { at_edges: true, .. }) => {
+            Some(Quality::Sampled(Sampling { at_edges: false, ..sampling }))
+        }
+        Quality::Exact | Quality::Sampled(_) => None,
+    }
+}
+
+/// Says how far an adaptive picture is from the whole one, and how much less was traced.
 #[derive(Debug, Serialize)]
 struct Kept {
     scene: &'static str,
@@ -19,14 +30,14 @@ struct Kept {
     over_two_steps: f64,
     /// Largest difference of a channel, as a share of 1.
     worst: f64,
-    /// Share of the exact picture's rays from the eye, and of all its rays, that were traced.
+    /// Share of the whole picture's rays from the eye, and of all its rays, that were traced.
     traced: f64,
     rays: f64,
 }
 
 impl Kept {
-    fn of(shot: &Shot, exact: &Taken, adaptive: &Taken) -> Self {
-        let pairs = exact.picture.pixels.iter().zip(&adaptive.picture.pixels);
+    fn of(shot: &Shot, whole: &Taken, adaptive: &Taken) -> Self {
+        let pairs = whole.picture.pixels.iter().zip(&adaptive.picture.pixels);
         let off: Vec<u8> =
             pairs.map(|(a, b)| (0..3).map(|i| a[i].abs_diff(b[i])).max().unwrap_or(0)).collect();
         let over = off.iter().filter(|off| **off > TWO_STEPS).count();
@@ -34,7 +45,7 @@ impl Kept {
             let rays = taken.rays.unwrap_or_default();
             [rays.primary, rays.total()].map(|count| count as f64)
         };
-        let ([all_primary, all], [primary, some]) = (rays(exact), rays(adaptive));
+        let ([all_primary, all], [primary, some]) = (rays(whole), rays(adaptive));
         Self {
             scene: shot.scene.name(),
             number: shot.number.name(),
@@ -47,12 +58,17 @@ impl Kept {
     }
 }
 
-/// Compares adaptive pictures with exact ones of the same number.
-pub(super) fn run(args: &CompareArgs, entries: &[Entry], out: &mut impl Write) -> Result<(), Error> {
+/// Compares adaptive pictures with whole ones of the same number.
+pub(super) fn run(
+    args: &CompareArgs,
+    whole: Quality,
+    entries: &[Entry],
+    out: &mut impl Write,
+) -> Result<(), Error> {
     let mut all = vec![];
     for entry in entries {
         for number in args.numbers() {
-            all.push(compare(args, *entry, number)?);
+            all.push(compare(args, whole, *entry, number)?);
         }
     }
     if args.json {
@@ -62,12 +78,12 @@ pub(super) fn run(args: &CompareArgs, entries: &[Entry], out: &mut impl Write) -
     table(out, &all)
 }
 
-fn compare(args: &CompareArgs, entry: Entry, number: Number) -> Result<Kept, Error> {
+fn compare(args: &CompareArgs, whole: Quality, entry: Entry, number: Number) -> Result<Kept, Error> {
     let mut shot = Shot { number, panel: args.panel, ..Shot::new(entry) };
     shot.size = args.size.unwrap_or(shot.size);
-    let exact = take(&Shot { quality: Quality::Exact, ..shot })?;
-    let adaptive = take(&Shot { quality: Quality::Adaptive, ..shot })?;
-    Ok(Kept::of(&shot, &exact, &adaptive))
+    let whole = take(&Shot { quality: whole, ..shot })?;
+    let adaptive = take(&Shot { quality: args.rays.quality(), ..shot })?;
+    Ok(Kept::of(&shot, &whole, &adaptive))
 }
 
 /// Prints figures as a table, and what its columns mean.
@@ -91,9 +107,9 @@ fn table(out: &mut impl Write, all: &[Kept]) -> Result<(), Error> {
     }
     writeln!(
         out,
-        "\nEach adaptive picture against the exact one of the same number. Over 2/31 is the share of pixels with a\n\
+        "\nEach adaptive picture against the whole one of the same number. Over 2/31 is the share of pixels with a\n\
          channel off by more than two steps of 5 bits; worst is a channel's, of 255; traced and rays are the\n\
-         shares of the exact picture's pixels and of all its rays that were traced."
+         shares of the whole picture's rays from the eye and of all its rays that were traced."
     )?;
     Ok(())
 }

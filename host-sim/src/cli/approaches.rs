@@ -1,4 +1,5 @@
-use super::args::{ApproachesArgs, scene};
+use super::args::ApproachesArgs;
+use super::look::scene;
 use super::render::take;
 use super::{Error, report};
 use crate::bench::{Row, Snapshot};

@@ -1,14 +1,11 @@
-use super::Error;
+use super::look::{Curve, Look, size};
+use super::rays::Rays;
 use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
-use crate::picture::{MAX_DEPTH, MAX_SIDE};
-use crate::scenes;
-use crate::shot::{Approach, Number, Quality, Shot};
-use crate::turn::Turn;
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use scanray::Transfer;
+use crate::shot::Number;
+use clap::{Args, Parser, Subcommand};
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Is the command line.
 #[derive(Debug, Parser)]
@@ -38,10 +35,14 @@ pub(super) enum Command {
     Render(RenderArgs),
     /// Walk around a scene in a window; H in the window names the keys
     Show(ShowArgs),
+    /// Draw a scene in coarse blocks that become finer, into an animated GIF
+    Progressive(ProgressiveArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
     /// Draw a scene by the tracer and by the z-buffer side by side, and tell what each has done
     Approaches(ApproachesArgs),
+    /// Draw a scene for three panels by each way of rounding, and measure what it does to local means
+    Dither(DitherArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
@@ -56,7 +57,8 @@ pub(super) enum Command {
 #[command(after_help = "Examples:\n  \
     scanray render\n  \
     scanray render c-ray --number fixed --size 160x120 -o small.png\n  \
-    scanray render mirror-levels --depth 4 --panel gray4")]
+    scanray render mirror-levels --depth 4 --panel gray4\n  \
+    scanray render three-spheres --samples 3 --adaptive-samples")]
 pub(super) struct RenderArgs {
     #[command(flatten)]
     pub look: Look,
@@ -90,10 +92,27 @@ pub(super) struct ShowArgs {
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
+    scanray progressive three-spheres\n  \
+    scanray progressive c-ray --number fixed --block 32 -o c-ray.gif\n\n\
+    A frame is shown for each 1/32 of the rays, so that times are to each other as on a device.")]
+pub(super) struct ProgressiveArgs {
+    #[command(flatten)]
+    pub look: Look,
+    /// Pixels along a side of the first blocks, a power of two up to 128
+    #[arg(long, value_name = "N", default_value = "16")]
+    pub block: u8,
+    /// File to write the animation to [default: SCENE.gif in the current directory]
+    #[arg(short, long, value_name = "FILE.gif")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
     scanray compare simple\n  \
     scanray compare --all --panel rgb565\n  \
     scanray compare --all --json\n  \
     scanray compare --all --quality adaptive --panel rgb565\n  \
+    scanray compare --all --samples 3 --adaptive-samples\n  \
     scanray compare c-ray --number fixed -o pictures")]
 pub(super) struct CompareArgs {
     /// Scene to compare: one of the gallery, or a file FILE.ron
@@ -105,9 +124,9 @@ pub(super) struct CompareArgs {
     /// Judge this number only: f32, fixed or exact [default: all three]
     #[arg(long, value_parser = judged)]
     pub number: Option<Number>,
-    /// Judge pictures of this quality; adaptive ones are compared with the exact ones of the same number
-    #[arg(long, default_value = "exact")]
-    pub quality: Quality,
+    /// Pictures that are adaptive, or sampled at edges, are compared with those that are not
+    #[command(flatten)]
+    pub rays: Rays,
     /// Colour format in which pixels are compared
     #[arg(long, default_value = "rgb888")]
     pub panel: Panel,
@@ -217,69 +236,23 @@ pub(super) struct ExportArgs {
     pub output: Option<PathBuf>,
 }
 
-/// Is what a picture is to look like.
 #[derive(Debug, Args)]
-pub(super) struct Look {
-    /// Scene of the gallery, which `scanray list` names, or a file FILE.ron
+#[command(after_help = "Examples:\n  \
+    scanray dither three-spheres\n  \
+    scanray dither color-chart --transfer linear -o sheet.png")]
+pub(super) struct DitherArgs {
+    /// Scene of the gallery; `scanray list` names them
     #[arg(value_name = "SCENE", default_value = "simple")]
     pub scene: String,
-    /// Number the picture is traced in
-    #[arg(long, default_value = "f32")]
-    pub number: Number,
-    /// Columns and rows, such as 160x120 [default: the scene's]
+    /// Columns and rows of each picture, such as 160x120 [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// Colour format of the display
-    #[arg(long, default_value = "rgb565")]
-    pub panel: Panel,
-    /// How many mirrors light may have met [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = depth)]
-    pub depth: Option<u8>,
     /// How light becomes levels [default: the scene's]
     #[arg(long, value_enum)]
     pub transfer: Option<Curve>,
-    /// How much of the picture is traced
-    #[arg(long, default_value = "exact")]
-    pub quality: Quality,
-    /// Who draws it: the ray tracer, or the z-buffer, which knows no quality and no depth
-    #[arg(long, default_value = "trace")]
-    pub approach: Approach,
-    /// Step K of N of a turn around the point that the camera looks at
-    #[arg(long, value_name = "K/N")]
-    pub step: Option<Turn>,
-}
-
-impl Look {
-    /// Answers the shot that is asked for.
-    pub fn shot(&self) -> Result<Shot, Error> {
-        let mut shot = Shot::new(scene(&self.scene)?);
-        shot.number = self.number;
-        shot.panel = self.panel;
-        shot.size = self.size.unwrap_or(shot.size);
-        shot.depth = self.depth.unwrap_or(shot.depth);
-        shot.turn = self.step.unwrap_or(shot.turn);
-        shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
-        shot.quality = self.quality;
-        shot.approach = self.approach;
-        Ok(shot)
-    }
-}
-
-/// Finds a scene: one of the gallery, or that of a file.
-pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
-    match scenes::find(name) {
-        Some(entry) => Ok(entry),
-        None if name.ends_with(".ron") => Ok(scenes::read(Path::new(name))?),
-        None => Err(Error::UnknownScene(name.to_owned())),
-    }
-}
-
-fn size(text: &str) -> Result<[u32; 2], String> {
-    let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
-    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
-    sides.ok_or_else(|| {
-        format!("a size is columns x rows, each from 1 to {MAX_SIDE}, written such as 320x240")
-    })
+    /// File to write the sheet of pictures to [default: SCENE-dither.png in the current directory]
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: Option<PathBuf>,
 }
 
 fn judged(text: &str) -> Result<Number, String> {
@@ -291,27 +264,4 @@ fn judged(text: &str) -> Result<Number, String> {
 fn chip(text: &str) -> Result<&'static Chip, String> {
     let names = CHIPS.each_ref().map(|chip| chip.name);
     Chip::find(text).ok_or_else(|| format!("the chips are {}", names.join(", ")))
-}
-
-fn depth(text: &str) -> Result<u8, String> {
-    let depth = text.parse().ok().filter(|depth| usize::from(*depth) <= MAX_DEPTH);
-    depth.ok_or_else(|| format!("a depth is a number from 0 to {MAX_DEPTH}, such as 3"))
-}
-
-/// Names a transfer curve on the command line.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Curve {
-    /// The sRGB curve, as panels and PNG files expect it
-    Srgb,
-    /// Levels proportional to light
-    Linear,
-}
-
-impl Curve {
-    fn transfer(self) -> Transfer {
-        match self {
-            Self::Srgb => Transfer::Srgb,
-            Self::Linear => Transfer::Linear,
-        }
-    }
 }

@@ -1,5 +1,6 @@
 use super::Error;
-use super::args::{BenchArgs, scene};
+use super::args::BenchArgs;
+use super::look::scene;
 use crate::bench::{self, Choice, Snapshot};
 use std::io::Write;
 

@@ -1,11 +1,12 @@
 use super::adaptive;
-use super::args::{CompareArgs, scene};
+use super::args::CompareArgs;
+use super::look::scene;
 use super::render::{reference, take};
 use super::{Error, report};
 use crate::compare::{Comparison, Figures, difference};
 use crate::png;
 use crate::scenes::{self, Entry};
-use crate::shot::{Number, Picture, Quality, Shot};
+use crate::shot::{Number, Picture, Shot};
 use embedded_graphics::mono_font::ascii::FONT_6X10;
 use std::io::Write;
 use std::path::PathBuf;
@@ -17,8 +18,8 @@ pub(super) fn run(args: &CompareArgs, out: &mut impl Write) -> Result<(), Error>
         None if args.all => scenes::all().collect(),
         None => return Err(Error::NothingToCompare),
     };
-    if args.quality == Quality::Adaptive {
-        return adaptive::run(args, &entries, out);
+    if let Some(whole) = adaptive::whole(args.rays.quality()) {
+        return adaptive::run(args, whole, &entries, out);
     }
     let directory = directory(args)?;
     let mut all = vec![];
@@ -69,6 +70,7 @@ impl Compared {
     fn make(args: &CompareArgs, entry: Entry) -> Result<Self, Error> {
         let mut shot = Shot::new(entry);
         shot.panel = args.panel;
+        shot.quality = args.rays.quality();
         shot.size = args.size.unwrap_or(shot.size);
         let truth = reference(&shot)?;
         let shown = Picture { size: shot.size, pixels: truth.on_panel(shot.panel) };

@@ -1,4 +1,5 @@
-use super::args::{ExportArgs, scene};
+use super::args::ExportArgs;
+use super::look::scene;
 use super::{Error, report};
 use crate::scene_file::{describe, write};
 use std::io::Write;

@@ -1,5 +1,6 @@
 use super::Error;
-use super::args::{ListArgs, scene};
+use super::args::ListArgs;
+use super::look::scene;
 use crate::scenes::{self, Entry};
 use std::io::Write;
 

@@ -5,11 +5,15 @@ mod approaches;
 mod args;
 mod bench;
 mod compare;
+mod dither;
 mod error;
 mod export;
 mod list;
+mod look;
 mod progress;
+mod progressive;
 mod race;
+mod rays;
 mod render;
 mod report;
 mod words;
@@ -64,8 +68,10 @@ fn execute(command: &Command) -> Result<(), Error> {
     match command {
         Command::Render(args) => render::run(args, &mut out)?,
         Command::Show(args) => render::show(args, &mut out)?,
+        Command::Progressive(args) => progressive::run(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Approaches(args) => approaches::run(args, &mut out)?,
+        Command::Dither(args) => dither::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,

@@ -1,6 +1,6 @@
 use crate::compare::Figures;
 use crate::memory::Bill;
-use crate::shot::{Approach, Number, Shot, Taken};
+use crate::shot::{Approach, Number, Quality, Sampling, Shot, Taken};
 use scanray::{Fixed, RasterWorkspace, Scalar, Transfer};
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -64,7 +64,17 @@ fn picture(shot: &Shot) -> String {
         Transfer::Linear => "linear",
     };
     let (number, panel, depth) = (shot.number.name(), shot.panel.name(), shot.depth);
-    format!("{columns}x{rows} pixels, number {number}, panel {panel}, depth {depth}, transfer {transfer}")
+    let rays = samples(shot.quality);
+    format!(
+        "{columns}x{rows} pixels, number {number}, panel {panel}, depth {depth}, transfer {transfer}{rays}"
+    )
+}
+
+fn samples(quality: Quality) -> String {
+    let Quality::Sampled(Sampling { side, jittered, at_edges }) = quality else { return String::new() };
+    let scattered = if jittered { " scattered" } else { "" };
+    let place = if at_edges { "a pixel on an edge" } else { "a pixel" };
+    format!(", {side}x{side}{scattered} rays {place}")
 }
 
 fn memory(shot: &Shot) -> String {

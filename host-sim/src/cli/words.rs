@@ -1,5 +1,6 @@
 //! The words of the command line for the choices that the rest of the crate knows.
 
+use crate::dither::Method;
 use crate::panel::Panel;
 use crate::shot::{Approach, Number, Quality};
 use clap::ValueEnum;
@@ -30,6 +31,8 @@ impl ValueEnum for Quality {
             Self::Adaptive => {
                 PossibleValue::new("adaptive").help("What lies between pixels that see the same is filled in")
             }
+            // Has a number and options of its own.
+            Self::Sampled(_) => return None,
         })
     }
 }
@@ -56,5 +59,20 @@ impl ValueEnum for Panel {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(PossibleValue::new(self.name()))
+    }
+}
+
+impl ValueEnum for Method {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(match self {
+            Self::None => "To the nearest level",
+            Self::Ordered => "By Bayer's square of eight",
+            Self::BlueNoise => "By a mask of blue noise",
+            Self::Diffused => "Handing the error to the right",
+        }))
     }
 }

@@ -44,8 +44,24 @@ impl Comparison {
         size: [u32; 2],
         row_done: impl FnMut(u32),
     ) -> Result<Self, Unknown> {
+        Self::trace_samples(view, settings, size, 1, row_done)
+    }
+
+    /// Traces a view with the reference, `side` x `side` rays a pixel.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn trace_samples(
+        view: &View<f64>,
+        settings: Settings<f64>,
+        size: [u32; 2],
+        side: u32,
+        mut row_done: impl FnMut(u32),
+    ) -> Result<Self, Unknown> {
         let description = Description::copy(&view.scene, &view.camera, &settings)?;
-        let reference = reference::trace(&description, size, row_done);
+        let last = |y: &u32| (y + 1).is_multiple_of(side);
+        let line_done = |y: u32| Some(y).filter(last).map_or((), |y| row_done(y / side));
+        let reference = reference::trace(&description, size.map(|n| n * side), line_done).averaged(side);
         let mask = reference.silhouettes();
         Ok(Self { reference, mask, transfer: settings.transfer, dither: settings.dither })
     }

@@ -130,8 +130,19 @@ pub struct Output {
     pub(super) colored: bool,
     /// Whether levels follow the sRGB curve, else they follow the light.
     pub(super) srgb: bool,
-    /// Whether thresholds change from pixel to pixel.
-    pub(super) ordered: bool,
+    pub(super) rounding: Rounding,
+}
+
+/// Names how levels are rounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Rounding {
+    Nearest,
+    /// By Bayer's matrix of side 8.
+    Ordered,
+    /// By these thresholds, of 2^16.
+    Mask(&'static [[u16; 16]; 16]),
+    /// Handing the error to the right.
+    Diffused,
 }
 
 fn vector(v: &scanray::Vec3<f64>) -> Vector {
@@ -350,10 +361,12 @@ impl Output {
             scanray::Transfer::Srgb => true,
             scanray::Transfer::Linear => false,
         };
-        let ordered = match dither {
-            scanray::Dither::None => false,
-            scanray::Dither::Ordered => true,
+        let rounding = match dither {
+            scanray::Dither::None => Rounding::Nearest,
+            scanray::Dither::Ordered => Rounding::Ordered,
+            scanray::Dither::Mask(mask) => Rounding::Mask(mask),
+            scanray::Dither::Diffused => Rounding::Diffused,
         };
-        Self { tops, colored, srgb, ordered }
+        Self { tops, colored, srgb, rounding }
     }
 }

@@ -1,4 +1,4 @@
-use super::description::Output;
+use super::description::{Output, Rounding};
 use super::vector::Vector;
 
 /// Answers Bayer's matrix of side `2^k` by its definition: four copies of the half as large one,
@@ -30,28 +30,48 @@ pub(super) struct Display {
 }
 
 impl Display {
-    /// Makes the panel's thresholds: those of a square of eight, or a half everywhere.
+    /// Makes the panel's thresholds: those of a square, or a half everywhere.
     pub fn of(output: Output) -> Self {
-        let order = if output.ordered { bayer(3) } else { bayer(0) };
-        let steps = (order.len() * order.len()) as f64;
-        let threshold = |n: u32| (2.0 * f64::from(n) + 1.0) / (2.0 * steps);
-        let thresholds = order.into_iter().map(|row| row.into_iter().map(threshold).collect()).collect();
+        let by_rank = |order: Vec<Vec<u32>>| {
+            let steps = (order.len() * order.len()) as f64;
+            let threshold = |n: u32| (2.0 * f64::from(n) + 1.0) / (2.0 * steps);
+            order.into_iter().map(|row| row.into_iter().map(threshold).collect()).collect()
+        };
+        let thresholds = match output.rounding {
+            Rounding::Nearest | Rounding::Diffused => by_rank(bayer(0)),
+            Rounding::Ordered => by_rank(bayer(3)),
+            Rounding::Mask(mask) => mask.map(|row| row.map(|n| f64::from(n) / 65_536.0).to_vec()).to_vec(),
+        };
         Self { output, thresholds }
     }
 
-    /// Answers what is shown of a light in column `x` of row `y`.
-    pub fn shown(&self, light: Vector, x: usize, y: usize) -> [u8; 3] {
-        let side = self.thresholds.len();
-        let threshold = self.thresholds[y % side][x % side];
+    /// Answers how bright the channels are to be, in the panel's levels.
+    fn wanted(&self, light: Vector) -> [f64; 3] {
         let [r, g, b] = light.0.map(|l| l.clamp(0.0, 1.0));
         let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
         let channels = if self.output.colored { [r, g, b] } else { [luminance; 3] };
-        std::array::from_fn(|i| {
-            let top = self.output.tops[i];
-            let bright = if self.output.srgb { srgb(channels[i]) } else { channels[i] };
-            let level = (bright * top + threshold).floor().min(top);
-            (level / top * 255.0).round() as u8
-        })
+        let bright = channels.map(|light| if self.output.srgb { srgb(light) } else { light });
+        std::array::from_fn(|i| bright[i] * self.output.tops[i])
+    }
+
+    /// Answers what is shown of the lights of row `y`.
+    pub fn row(&self, light: &[Vector], y: usize) -> Vec<[u8; 3]> {
+        let side = self.thresholds.len();
+        let diffused = self.output.rounding == Rounding::Diffused;
+        // The first error of a row: multiples of the golden ratio, as a half more or less.
+        let first = (y as f64 * 40_503.0 / 65_536.0).fract() - 0.5;
+        let mut errors = [if diffused { first } else { 0.0 }; 3];
+        let pixel = |(x, light): (usize, &Vector)| {
+            let wanted = self.wanted(*light);
+            let tops = self.output.tops;
+            std::array::from_fn(|i| {
+                let level = wanted[i] + errors[i];
+                let rounded = (level + self.thresholds[y % side][x % side]).floor().clamp(0.0, tops[i]);
+                errors[i] = if diffused { level - rounded } else { 0.0 };
+                (rounded / tops[i] * 255.0).round() as u8
+            })
+        };
+        light.iter().enumerate().map(pixel).collect()
     }
 }
 
@@ -73,10 +93,10 @@ mod tests {
 
     #[test]
     fn half_light_lights_half_the_pixels_of_a_black_and_white_panel() {
-        let output = Output { tops: [1.0; 3], colored: false, srgb: false, ordered: true };
-        let display = Display::of(output);
-        let half = Vector([0.5; 3]);
-        let lit = (0..64).filter(|i| display.shown(half, i % 8, i / 8) == [255; 3]).count();
-        assert_eq!(lit, 32);
+        for rounding in [Rounding::Ordered, Rounding::Diffused] {
+            let display = Display::of(Output { tops: [1.0; 3], colored: false, srgb: false, rounding });
+            let rows = (0..8).flat_map(|y| display.row(&[Vector([0.5; 3]); 8], y));
+            assert_eq!(rows.filter(|shown| *shown == [255; 3]).count(), 32, "{rounding:?}");
+        }
     }
 }

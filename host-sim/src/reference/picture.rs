@@ -56,9 +56,25 @@ impl Picture {
     /// Answers what a panel shows, in 8 bits a channel, with exact curves and thresholds.
     pub fn on_panel(&self, output: Output) -> Vec<[u8; 3]> {
         let display = Display::of(output);
-        let columns = self.size[0] as usize;
-        let shown = |(i, light): (usize, &Vector)| display.shown(*light, i % columns, i / columns);
-        self.light.iter().enumerate().map(shown).collect()
+        let columns = self.size[0].max(1) as usize;
+        let rows = self.light.chunks(columns).enumerate();
+        rows.flat_map(|(y, light)| display.row(light, y)).collect()
+    }
+
+    /// Answers the picture each of whose pixels is the mean of `side` x `side` pixels of this one (row S1), and
+    /// whose trails are theirs, one after the other.
+    pub fn averaged(&self, side: u32) -> Self {
+        let [columns, rows] = self.size.map(|n| n / side);
+        let pixels = (0..rows).flat_map(|y| (0..columns).map(move |x| [x, y])).map(|[x, y]| {
+            let squares =
+                (0..side * side).map(|n| (y * side + n / side) * self.size[0] + x * side + n % side);
+            let places: Vec<usize> = squares.map(|place| place as usize).collect();
+            let sum = places.iter().fold(Vector::default(), |sum, place| sum + self.light[*place]);
+            let trail = places.iter().flat_map(|place| self.trails[*place].clone()).collect();
+            (sum * (1.0 / f64::from(side * side)), trail)
+        });
+        let (light, trails) = pixels.unzip();
+        Self { size: [columns, rows], light, trails }
     }
 
     /// Marks the pixels beside an edge of whatever is seen: of an object, a face, a tile, a shadow

@@ -5,6 +5,7 @@
 
 use super::value::unless;
 use crate::scenes::HostNumber;
+use scanray::output::BLUE_NOISE;
 use serde::{Deserialize, Serialize};
 
 /// Is how a picture is made of the scene; its fields are those of the core's settings.
@@ -39,8 +40,12 @@ pub enum Transfer {
 pub enum Dither {
     /// Rounds each pixel to the nearest level. (In a file `None` is a field that is left out.)
     Nearest,
-    /// Rounds by thresholds that change from pixel to pixel.
+    /// Rounds by the thresholds of Bayer's square.
     Ordered,
+    /// Rounds by the core's mask of blue noise.
+    BlueNoise,
+    /// Hands what rounding leaves of a pixel to the next one of its row.
+    Diffused,
 }
 
 impl Transfer {
@@ -64,6 +69,8 @@ impl Dither {
         match self {
             Self::Nearest => scanray::Dither::None,
             Self::Ordered => scanray::Dither::Ordered,
+            Self::BlueNoise => scanray::Dither::Mask(&BLUE_NOISE),
+            Self::Diffused => scanray::Dither::Diffused,
         }
     }
 
@@ -71,6 +78,9 @@ impl Dither {
         match dither {
             scanray::Dither::None => Self::Nearest,
             scanray::Dither::Ordered => Self::Ordered,
+            // For another mask there is no word; whoever says a view sees that it comes back changed.
+            scanray::Dither::Mask(_) => Self::BlueNoise,
+            scanray::Dither::Diffused => Self::Diffused,
         }
     }
 }
@@ -95,5 +105,27 @@ impl Settings {
             transfer: unless(usual.transfer, settings.transfer).map(Transfer::of),
             dither: unless(usual.dither, settings.dither).map(Dither::of),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scanray::output::Mask;
+
+    static OWN: Mask = [[1 << 14; 16]; 16];
+
+    /// Answers the rounding that comes back from a file.
+    fn back(dither: scanray::Dither) -> scanray::Dither {
+        Settings::of(&scanray::Settings::new().with_dither(dither)).in_number::<f64>().dither
+    }
+
+    #[test]
+    fn every_way_of_rounding_comes_back_but_a_mask_of_the_callers_own() {
+        use scanray::Dither::{Diffused, Mask, None, Ordered};
+        for dither in [None, Ordered, Mask(&BLUE_NOISE), Diffused] {
+            assert_eq!(back(dither), dither);
+        }
+        assert_ne!(back(Mask(&OWN)), Mask(&OWN));
     }
 }

@@ -1,0 +1,61 @@
+use super::Spans;
+use super::spans::Span;
+use crate::camera::Frame;
+use crate::math::Scalar;
+use crate::scene::Scene;
+use crate::shape::Intersect;
+
+impl Spans {
+    /// Finds the columns of each object that any of some lines of row `y` can touch.
+    ///
+    /// A line is the fraction of the row's height that lies above it, numerator and denominator.
+    pub(super) fn enter_band<S: Scalar, X: Intersect<S>>(
+        &mut self,
+        scene: &Scene<'_, S, X>,
+        frame: &Frame<S>,
+        y: u32,
+        lines: impl Iterator<Item = [u8; 2]>,
+    ) {
+        self.row.clear();
+        let end = u16::try_from(scene.objects.len()).unwrap_or(u16::MAX);
+        self.rest = end..end;
+        let row = u16::try_from(y).unwrap_or(u16::MAX);
+        for line in lines {
+            let fan = frame.line_fan(y, line);
+            for (index, object) in (0..end).zip(scene.objects) {
+                if self.rows.get(usize::from(index)).is_some_and(|rows| !rows.contains(&row)) {
+                    continue;
+                }
+                let columns = fan.as_ref().map_or(0..u16::MAX, |fan| fan.columns(&object.shape.hull()));
+                if !columns.is_empty() {
+                    self.widen(Span { index, columns });
+                }
+            }
+        }
+    }
+
+    /// Lets an object be met between more columns.
+    fn widen(&mut self, span: Span) {
+        let place = match self.row.binary_search_by_key(&span.index, |known| known.index) {
+            Ok(place) => {
+                if let Some(Span { columns, .. }) = self.row.get_mut(place) {
+                    *columns = columns.start.min(span.columns.start)..columns.end.max(span.columns.end);
+                }
+                return;
+            }
+            Err(place) => place,
+        };
+        // Objects from `rest` on are candidates everywhere: where there is no more room, the last ones are.
+        if span.index < self.rest.start
+            && let Err(span) = self.row.insert(place, span)
+        {
+            self.rest.start = span.index;
+            if place < self.row.len()
+                && let Some(last) = self.row.pop()
+            {
+                self.rest.start = last.index;
+                let _ = self.row.insert(place, span);
+            }
+        }
+    }
+}
