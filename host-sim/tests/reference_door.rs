@@ -7,13 +7,15 @@ use std::{fs, io};
 const DOOR: &str = "description.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 20] = [
+const DATA: [&str; 22] = [
     "Bitmap",
     "Bump",
     "Camera",
     "Dither",
     "FillRule",
     "Filter",
+    "Fresnel",
+    "Glass",
     "Image",
     "Light",
     "Material",
@@ -33,7 +35,8 @@ const ALSO_DATA: &str = "Vec3";
 
 /// Lists the methods the door may call: those of slices, options and iterators, and those of an image
 /// that read its texels out.
-const METHODS: [&str; 7] = ["collect", "get", "iter", "map", "ok_or", "size", "texel"];
+const METHODS: [&str; 9] =
+    ["as_ref", "collect", "get", "iter", "map", "ok_or", "size", "texel", "transpose"];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this
 /// test.
