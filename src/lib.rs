@@ -50,7 +50,9 @@
 //! - [`raster`]: the other approach, a z-buffer: [`RasterRenderer`] and [`RasterWorkspace`].
 //! - [`gallery`]: scenes ready to draw, in every number.
 //!
-//! The numbers are types, not features: no flag changes a picture.
+//! The numbers are types, not features: no flag changes a picture. Features say what a program carries beside
+//! spheres, planes, triangles, boxes, Phong's light and mirrors: `shapes`, `images`, `glass` and `models`, all
+//! by default. A scene that needs what was left out is refused by the name of the feature ([`Fault::LeftOut`]).
 //!
 //! [`embedded-graphics`]: https://docs.rs/embedded-graphics
 #![no_std]

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{fs, io};
 
 /// Is the one file that may name the core.
-const DOOR: &str = "description.rs";
+const DOOR: &str = "door.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
 const DATA: [&str; 22] = [
@@ -35,8 +35,7 @@ const ALSO_DATA: &str = "Vec3";
 
 /// Lists the methods the door may call: those of slices, options and iterators, and those of an image
 /// that read its texels out.
-const METHODS: [&str; 9] =
-    ["as_ref", "collect", "get", "iter", "map", "ok_or", "size", "texel", "transpose"];
+const METHODS: [&str; 9] = ["as_ref", "collect", "get", "iter", "map", "ok_or", "size", "texel", "transpose"];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this
 /// test.

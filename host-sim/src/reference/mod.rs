@@ -14,6 +14,7 @@ mod cone;
 mod description;
 mod displaced;
 mod display;
+mod door;
 mod glass;
 mod light;
 mod matrix;
