@@ -37,6 +37,8 @@ pub enum Fault {
     NormalInward,
     /// An image has no texels, or more than 2048 to a side.
     ImageSize,
+    /// Its material is glass, and the shape has no inside.
+    NotClosed,
     /// It needs code that this program was built without: the cargo feature of this name.
     LeftOut(&'static str),
     /// The object names a material that is not in the list.
@@ -71,12 +73,13 @@ impl fmt::Display for Fault {
             Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
             Self::NormalInward => f.write_str("the normal of a corner does not point to its outward side"),
             Self::ImageSize => f.write_str("its image is empty or more than 2048 texels wide or high"),
+            Self::NotClosed => f.write_str("it is of glass and has no inside: it is flat or open"),
             Self::LeftOut(feature) => {
                 write!(f, "it needs the feature `{feature}`, which this program was built without")
             }
             Self::NoSuchMaterial(index) => write!(f, "it names material {index}, which is not in the list"),
             Self::TooMany => f.write_str("there are more than 65535 of them"),
-            Self::NotRasterized => f.write_str("the z-buffer has no way to draw such a shape"),
+            Self::NotRasterized => f.write_str("the z-buffer has no way to draw it"),
         }
     }
 }

@@ -6,8 +6,9 @@ use crate::math::{Scalar, Vec3, Wide};
 
 /// Is what a surface lets through, and what the inside does to it.
 ///
-/// The inside is where the normal does not point to: glass makes sense for closed shapes. One may
-/// stand wholly inside another; what it stands in is found where light passes its surface.
+/// The inside is where the normal does not point to: only shapes that bound a body can be of glass, each
+/// by itself. One may stand wholly inside another; what it stands in is found where light passes its
+/// surface. What an eye inside of glass sees directly keeps its colour.
 ///
 /// ```
 /// use scanray::{Fresnel, Glass, Material, Rgb};

@@ -5,7 +5,8 @@ mod support;
 use scanray::ray::{Interval, Ray};
 use scanray::trace::{Candidates, Packet, Pending, RayCounts, Tracer};
 use scanray::{
-    Cuboid, Fixed, Fresnel, Glass, Material, Object, Rgb, Scalar, Scene, Shape, Sky, Sphere, Triangle, Vec3,
+    Cone, Cuboid, Fault, Fixed, Fresnel, Glass, Material, Object, Rgb, Scalar, Scene, SceneError, Shape, Sky,
+    Sphere, Triangle, Vec3,
 };
 use support::v;
 
@@ -191,5 +192,25 @@ fn fixed_point_sees_through_glass_what_f32_sees() {
         let (light, _) = look(&scene, origin, direction, 8);
         let (seen, _) = look(&fixed, to_fixed(origin), to_fixed(direction), 8);
         assert!((f64::from(light.r) - seen.r.to_f64()).abs() < 1e-3, "{light:?} and {seen:?}");
+    }
+}
+
+#[test]
+fn only_what_bounds_a_body_can_be_of_glass() {
+    let flat = Triangle::new(v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0));
+    let up = v(0.0, 1.0, 0.0);
+    let shapes: [(Shape, bool); 6] = [
+        (Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), true),
+        (Shape::Cuboid(Cuboid::new(Vec3::ZERO, v(1.0, 1.0, 1.0))), true),
+        (Shape::Cuboid(Cuboid::new(Vec3::ZERO, v(1.0, 0.0, 1.0))), false),
+        (Shape::Triangle(flat), false),
+        (Shape::Cone(Cone::cylinder(Vec3::ZERO, up, 1.0)), true),
+        (Shape::Cone(Cone::cylinder(Vec3::ZERO, up, 1.0).open()), false),
+    ];
+    let materials = [pure(Glass::new(1.0, 1.5))];
+    for (shape, taken) in shapes {
+        let objects = [Object::new(shape, 0)];
+        let ought = if taken { Ok(()) } else { Err(SceneError::Object(0, Fault::NotClosed)) };
+        assert_eq!(Scene::new(&objects, &materials, &[]).check(), ought, "{shape:?}");
     }
 }

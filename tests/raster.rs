@@ -11,8 +11,9 @@ use scanray::output::{BLUE_NOISE, Quantizer};
 use scanray::ray::{Interval, Ray};
 use scanray::trace::{Observer, RayKind};
 use scanray::{
-    Dither, Encode, Fault, Fixed, Intersect, Material, Object, RasterRenderer, RasterWorkspace, RenderError,
-    Renderer, Rgb, RowError, Scalar, Scene, SceneError, Settings, Shape, Sky, Sphere, Workspace,
+    Checker, Dither, Encode, Fault, Fixed, Intersect, Material, Object, RasterRenderer, RasterWorkspace,
+    RenderError, Renderer, Rgb, RowError, Scalar, Scene, SceneError, Settings, Shape, Sky, Sphere, Texture,
+    Workspace,
 };
 use support::{BusFault, StrictDisplay};
 
@@ -248,7 +249,7 @@ fn a_shape_that_is_not_known_is_named() {
         RasterRenderer::new(&scene, &support::camera(), Size::new(8, 8), settings, &mut workspace).err();
     assert_eq!(refused, Some(RenderError::Scene(SceneError::Object(1, Fault::NotRasterized))));
     let says = refused.map(|error| error.to_string());
-    assert_eq!(says.as_deref(), Some("object 1: the z-buffer has no way to draw such a shape"));
+    assert_eq!(says.as_deref(), Some("object 1: the z-buffer has no way to draw it"));
 }
 
 #[test]
@@ -265,4 +266,18 @@ fn exposure_scales_the_light_as_it_does_for_the_tracer() {
     };
     let twice: Vec<_> = light(1.0).into_iter().map(|light| light * 2.0).collect();
     assert_eq!(light(2.0), twice);
+}
+
+#[test]
+fn a_ball_with_a_texture_is_refused_by_name() {
+    let board = Texture::Checker(Checker::new(Rgb::WHITE, Rgb::BLACK, 8.0));
+    let ball: Shape = Shape::Sphere(Sphere::new(support::v(0.0, 0.0, 0.0), 1.0));
+    let objects = [Object::new(ball, 0)];
+    let materials = [Material::textured(board)];
+    let scene = Scene::new(&objects, &materials, &[]);
+    let mut workspace = RasterWorkspace::<f32, 8>::new();
+    let refused =
+        RasterRenderer::new(&scene, &support::camera(), Size::new(8, 8), Settings::new(), &mut workspace)
+            .err();
+    assert_eq!(refused, Some(RenderError::Scene(SceneError::Object(0, Fault::NotRasterized))));
 }

@@ -15,6 +15,7 @@ pub mod race;
 pub mod raster;
 pub mod reference;
 pub mod refine;
+pub mod rounded;
 pub mod scene_file;
 pub mod scenes;
 pub mod shot;

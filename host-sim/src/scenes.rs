@@ -1,10 +1,11 @@
 //! Scenes by name: the gallery's views, and those of files, with the number chosen at run time.
 
+use crate::rounded::Rounded;
 use crate::scene_file::description::Lists;
 use crate::scene_file::{Failure, SceneFile};
 use crate::suggest;
+use scanray::Fixed;
 use scanray::gallery::{Gallery, View};
-use scanray::{Camera, Fixed, Projection, Scalar, Vec3};
 use std::path::Path;
 
 /// Is a scene of the gallery or of a file, in every number.
@@ -66,21 +67,14 @@ fn kept<S: HostNumber>(file: &'static SceneFile) -> &'static View<S> {
 }
 
 /// Is a number that the core draws the gallery in.
-pub trait HostNumber: Scalar + Send + Sync {
+pub trait HostNumber: Rounded + Send + Sync {
     /// Answers the scene in this number.
     fn view(entry: &Entry) -> &'static View<Self>;
-
-    /// Rounds a value to this number, as the gallery's constants are rounded.
-    fn round(value: f64) -> Self;
 }
 
 impl HostNumber for f32 {
     fn view(entry: &Entry) -> &'static View<Self> {
         entry.float
-    }
-
-    fn round(value: f64) -> Self {
-        value as f32
     }
 }
 
@@ -88,44 +82,18 @@ impl HostNumber for Fixed {
     fn view(entry: &Entry) -> &'static View<Self> {
         entry.fixed
     }
-
-    fn round(value: f64) -> Self {
-        Self::new(value)
-    }
 }
 
 impl HostNumber for f64 {
     fn view(entry: &Entry) -> &'static View<Self> {
         entry.double
     }
-
-    fn round(value: f64) -> Self {
-        value
-    }
-}
-
-/// Rounds a camera to a number: a camera of the gallery to the very one the gallery has there.
-pub fn camera_in<S: HostNumber>(camera: &Camera<f64>) -> Camera<S> {
-    let point = |p: Vec3<f64>| Vec3::from_array(p.to_array().map(S::round));
-    let far = if camera.far == f64::FAR { S::FAR } else { S::round(camera.far) };
-    let projection = match camera.projection {
-        Projection::Frustum { left, right, bottom, top } => {
-            let [left, right, bottom, top] = [left, right, bottom, top].map(S::round);
-            Projection::Frustum { left, right, bottom, top }
-        }
-        Projection::Orthographic { height } => Projection::Orthographic { height: S::round(height) },
-        Projection::Perspective { fovy } => Projection::Perspective { fovy: S::round(fovy) },
-        // The enum is open to the core's future; a projection unknown here is refused by the core
-        // because its angle is 0.
-        _ => Projection::Perspective { fovy: S::ZERO },
-    };
-    let points = [point(camera.eye), point(camera.center), point(camera.up)];
-    Camera::new(points, projection, [S::round(camera.near), far])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rounded::camera_in;
 
     #[test]
     fn every_number_has_the_same_scenes_in_the_same_order() {

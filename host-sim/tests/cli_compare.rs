@@ -90,7 +90,8 @@ fn adaptive_pictures_are_compared_with_exact_ones_and_keep_the_promise() {
     for kept in &all {
         let figure = |key: &str| kept[key].as_f64().unwrap();
         assert!(figure("over_two_steps") <= 0.005 && figure("worst") <= 28.5 / 31.0, "{kept}");
-        assert!(figure("traced") < 0.5 && figure("traced") <= figure("rays"), "{kept}");
+        // Pixels left out may be the dearer ones: their share of the rays is about that of the pixels.
+        assert!(figure("traced") < 0.5 && figure("traced") <= figure("rays") + 0.05, "{kept}");
     }
     assert!(all.iter().any(|kept| kept["worst"].as_f64() > Some(0.0)), "{text}");
     assert_eq!(files, []);

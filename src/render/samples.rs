@@ -6,7 +6,7 @@ use super::workspace::Scratch;
 use super::{Quality, Spans};
 use crate::camera::{Row, RowRay};
 use crate::color::Rgb;
-use crate::math::{Scalar, Vec3};
+use crate::math::{Scalar, Vec3, Wide};
 use crate::shape::Intersect;
 use crate::trace::{LANES, Observer, Packet, Tracer};
 use core::convert::Infallible;
@@ -150,28 +150,45 @@ impl<S: Scalar> Grid<S> {
 }
 
 /// Averages light around the first sample: equal ones come out to the bit, whatever their number.
-struct Mean<S> {
+struct Mean<S: Scalar> {
     first: Rgb<S>,
-    /// How much the others are above the first, all together.
-    above: Rgb<S>,
+    /// How much the mean is above the first: wide, for a sum of bright differences would saturate.
+    above: [S::Wide; 3],
     share: S,
 }
 
 impl<S: Scalar> Mean<S> {
     fn new(count: u32) -> Self {
-        Self { first: Rgb::BLACK, above: Rgb::BLACK, share: S::from_i32(count as i32).recip() }
+        Self { first: Rgb::BLACK, above: [S::Wide::ZERO; 3], share: S::from_i32(count as i32).recip() }
     }
 
     fn add(&mut self, number: u32, light: Rgb<S>) {
         if number == 0 {
-            (self.first, self.above) = (light, Rgb::BLACK);
+            (self.first, self.above) = (light, [S::Wide::ZERO; 3]);
         } else {
             let first = self.first;
-            self.above += Rgb::new(light.r - first.r, light.g - first.g, light.b - first.b);
+            let differences = [light.r - first.r, light.g - first.g, light.b - first.b];
+            for (above, difference) in self.above.iter_mut().zip(differences) {
+                *above = *above + difference.mul_wide(self.share);
+            }
         }
     }
 
     fn light(&self) -> Rgb<S> {
-        self.first + self.above * self.share
+        let [r, g, b] = self.above.map(S::narrow);
+        self.first + Rgb::new(r, g, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    #[test]
+    fn one_blinding_sample_among_dark_ones_does_not_saturate_the_mean() {
+        let mut mean = Mean::<Fixed>::new(64);
+        (0..64).for_each(|n| mean.add(n, if n == 0 { Rgb::gray(Fixed::new(960.0)) } else { Rgb::BLACK }));
+        assert!((mean.light().r.to_f64() - 15.0).abs() < 1e-4, "{:?}", mean.light());
     }
 }

@@ -6,7 +6,7 @@ use crate::output::{Dither, Transfer};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Settings<S = f32, Q = Exact> {
-    /// How many mirrors light may have met on its way, at most the workspace's `DEPTH`.
+    /// How many mirrors and surfaces of glass light may have met on its way, at most the workspace's `DEPTH`.
     pub depth: u8,
     /// Factor on all light before the transfer curve.
     pub exposure: S,

@@ -4,7 +4,7 @@ use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
 use crate::math::Scalar;
-use crate::shape::Intersect;
+use crate::shape::{Cuboid, Intersect, Shape};
 use crate::texture::Bitmap;
 use core::fmt;
 
@@ -42,11 +42,25 @@ fn in_range(usable: bool) -> Result<(), Fault> {
     if usable { Ok(()) } else { Err(Fault::OutOfRange) }
 }
 
-fn check_object<S: Scalar, X: Intersect<S>>(object: &Object<S, X>, materials: usize) -> Result<(), Fault> {
-    if usize::from(object.material) >= materials {
-        return Err(Fault::NoSuchMaterial(object.material));
+fn check_object<S: Scalar, X: Intersect<S>>(
+    object: &Object<S, X>,
+    materials: &[Material<S>],
+) -> Result<(), Fault> {
+    let material = materials.get(usize::from(object.material));
+    let material = material.ok_or(Fault::NoSuchMaterial(object.material))?;
+    object.shape.check()?;
+    if material.glass.is_none() || has_inside(&object.shape) { Ok(()) } else { Err(Fault::NotClosed) }
+}
+
+/// Tells whether a shape bounds a body, as glass asks; a user's own is taken to.
+fn has_inside<S: Scalar, X>(shape: &Shape<S, X>) -> bool {
+    match shape {
+        Shape::Triangle(_) | Shape::Polygon(_) | Shape::SmoothTriangle(_) => false,
+        Shape::Cuboid(Cuboid { low, high }) => low.x < high.x && low.y < high.y && low.z < high.z,
+        Shape::Cone(cone) => cone.capped,
+        // On the far side of a plane there is no end of it.
+        Shape::Plane(_) | Shape::Sphere(_) | Shape::Displaced(_) | Shape::Custom(_) => true,
     }
-    object.shape.check()
 }
 
 fn check_light<S: Scalar>(light: &Light<S>) -> Result<(), Fault> {
@@ -100,7 +114,7 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
         if self.objects.len() > usize::from(u16::MAX) {
             return Err(SceneError::Object(self.objects.len(), Fault::TooMany));
         }
-        each(self.objects, SceneError::Object, |o| check_object(o, self.materials.len()))?;
+        each(self.objects, SceneError::Object, |o| check_object(o, self.materials))?;
         each(self.materials, SceneError::Material, Material::check)?;
         each(self.lights, SceneError::Light, check_light)?;
         check_sky(&self.sky).map_err(SceneError::Sky)?;

@@ -2,8 +2,8 @@ use super::departure::Departure;
 use super::detail::refine;
 use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
+use super::pending::Pending;
 use super::shade::{Shader, Site};
-use super::tree::Pending;
 use super::vicinity::Vicinities;
 use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
@@ -38,7 +38,7 @@ impl<S: Scalar> Default for Packet<S> {
 /// Traces rays through a scene.
 ///
 /// Mirrors are followed level by level: a mirror sends on one ray, which takes the place of the
-/// one that met it, so that no ray waits and none is dropped. Where a ray meets glass it leaves the
+/// one that met it, so that no ray waits. Where a ray meets glass it leaves the
 /// others and is followed alone to the end of its tree, depth first.
 pub struct Tracer<'a, 's, S: Scalar, X> {
     pub(super) scene: &'s Scene<'a, S, X>,

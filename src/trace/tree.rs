@@ -1,39 +1,15 @@
 use super::departure::Departure;
 use super::lane::Lane;
 use super::observer::{Observer, RayKind};
+use super::pending::{Pending, SPACE};
 use super::tracer::{Tracer, unit_reflection};
 use crate::color::Rgb;
 use crate::glass::{Glass, refract};
-use crate::math::{Scalar, Vec3};
+use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
 use crate::shape::Intersect;
 use core::slice;
-
-/// Stands for the space around all glass, in place of the glass's material.
-const SPACE: u16 = u16::MAX;
-
-/// Is a ray that waits while the tree of its sibling is followed.
-#[derive(Clone, Copy, Debug)]
-pub struct Pending<S: Scalar> {
-    ray: Ray<S>,
-    weight: Rgb<S>,
-    from: Departure,
-    /// Material of the glass it goes through.
-    within: u16,
-    level: u8,
-}
-
-impl<S: Scalar> Pending<S> {
-    /// Is a place for a ray.
-    pub const NONE: Self = Self {
-        ray: Ray::new(Vec3::ZERO, Vec3::ZERO),
-        weight: Rgb::BLACK,
-        from: Departure::NOWHERE,
-        within: SPACE,
-        level: 0,
-    };
-}
 
 impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
     /// Follows a ray on from glass, where it splits into a mirrored and a refracted ray, and all that
@@ -114,7 +90,8 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
         let turned_back = bent.map_or(S::ONE, |(_, refracted)| {
             glass.fresnel.reflectance(indices, [-direction.dot(normal), refracted])
         });
-        let convex = object.shape.is_convex();
+        // A bumpy normal may send a ray into its own shape.
+        let convex = object.shape.is_convex() && material.bump.is_none();
         let from = |free| Departure { index: met, free: free && convex };
         let mirrored = Ray::new(origin, unit_reflection(direction, normal));
         lane.go_on(mirrored, from(!inside), weight * (material.mirror + glass.transmission * turned_back));
@@ -137,8 +114,8 @@ fn glass_of<'a, S: Scalar, X>(scene: &Scene<'a, S, X>, material: u16) -> Option<
 /// Answers the material of the glass in which a point of an object's surface stands, that object left
 /// out, or [`SPACE`].
 ///
-/// A ray from inside a closed shape first meets it from inside; the nearest such shape is the
-/// innermost.
+/// A ray from inside a closed shape first meets it from inside; of shapes that do not cut each other the
+/// nearest such is the innermost.
 fn around<S: Scalar, X: Intersect<S>>(scene: &Scene<'_, S, X>, ray: &Ray<S>, but: u16) -> u16 {
     let (mut interval, mut innermost) = (Interval::AHEAD, SPACE);
     for (index, object) in (0..).zip(scene.objects) {

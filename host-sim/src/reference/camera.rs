@@ -1,6 +1,6 @@
 use super::description::{Camera, Projection};
 use super::matrix::Matrix;
-use super::shape::Ray;
+use super::roots::Ray;
 use super::vector::Vector;
 
 /// Is a camera as OpenGL's matrices describe it, for a picture of one size.

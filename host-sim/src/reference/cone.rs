@@ -1,4 +1,4 @@
-use super::shape::{Ray, Root, plane_root, quadratic};
+use super::roots::{Ray, Root, plane_root, quadratic};
 use super::vector::Vector;
 
 /// Is a cone between two discs across the way from one to the other; a disc may be a point.

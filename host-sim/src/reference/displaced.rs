@@ -1,5 +1,5 @@
 use super::raster::Image;
-use super::shape::{Ray, Root, quadratic};
+use super::roots::{Ray, Root, quadratic};
 use super::vector::Vector;
 use std::f64::consts::{PI, TAU};
 

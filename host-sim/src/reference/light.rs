@@ -1,6 +1,6 @@
 use super::description::{Description, Light, Material, Model};
 use super::reflection::{Way, angle};
-use super::shape::Ray;
+use super::roots::Ray;
 use super::trail::{Stop, Trail};
 use super::vector::Vector;
 
@@ -43,12 +43,6 @@ impl Light {
         let off = angle(axis, point - position);
         if off <= cutoff.acos() { off.cos().powf(f64::from(falloff)) } else { 0.0 }
     }
-}
-
-/// Answers a normal that looks to the viewer: one that looks away, mirrored at the line of sight.
-pub(super) fn toward(normal: Vector, to_eye: Vector) -> Vector {
-    let away = normal.inner(to_eye).min(0.0);
-    normal - to_eye * (2.0 * away)
 }
 
 impl Description {
@@ -111,7 +105,7 @@ impl Description {
         if let Some(bump) = &material.bump {
             let turned = bump.turned(outward, shape.derivatives(point, part), coordinates);
             let turned = if outward.inner(normal) < 0.0 { -turned } else { turned };
-            normal = toward(turned, to_eye);
+            normal = turned.turned_to(to_eye);
         }
         let point = lit_at;
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };

@@ -22,6 +22,7 @@ mod outline;
 mod picture;
 mod raster;
 mod reflection;
+mod roots;
 mod shape;
 mod smooth;
 mod texture;

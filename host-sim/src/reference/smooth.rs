@@ -1,4 +1,4 @@
-use super::shape::{Ray, shares};
+use super::roots::{Ray, shares};
 use super::vector::Vector;
 
 /// Is a triangle with a normal and texture coordinates for each corner.

@@ -5,6 +5,12 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub struct Vector(pub [f64; 3]);
 
 impl Vector {
+    /// Answers a normal that looks to the viewer: one that looks away, mirrored at the line of sight.
+    pub fn turned_to(self, to_eye: Self) -> Self {
+        let away = self.inner(to_eye).min(0.0);
+        self - to_eye * (2.0 * away)
+    }
+
     /// Makes the vector whose components a function of the axis gives.
     pub fn by_axis(component: impl FnMut(usize) -> f64) -> Self {
         Self(std::array::from_fn(component))

@@ -3,7 +3,7 @@
 //! To add a projection: a variant, and an arm in each of its two functions.
 
 use super::value::{Point, UP, unless};
-use crate::scenes::{HostNumber, camera_in};
+use crate::rounded::{Rounded, camera_in};
 use scanray::{Scalar, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -80,7 +80,7 @@ impl Projection {
 
 impl Camera {
     /// Makes the core's camera, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Camera<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Camera<S> {
         let points = [self.eye, self.center, self.up.unwrap_or(UP)].map(Vec3::from_array);
         let depths = [self.near.unwrap_or(f64::ZERO), self.far.unwrap_or(f64::FAR)];
         camera_in(&scanray::Camera::new(points, self.projection.in_core(), depths))

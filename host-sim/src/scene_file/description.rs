@@ -8,7 +8,7 @@ use super::shape::Shape;
 use super::sky::Sky;
 use super::value::Color;
 use crate::picture::MAX_DEPTH;
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use embedded_graphics_core::geometry::Size;
 use scanray::{Object, RenderError, Renderer, Scene, Workspace};
 
@@ -48,7 +48,7 @@ pub struct Lists<S: 'static> {
 
 impl Description {
     /// Rounds the lists to a number, as the gallery's constants are rounded.
-    pub fn lists<S: HostNumber>(&self) -> Lists<S> {
+    pub fn lists<S: Rounded>(&self) -> Lists<S> {
         Lists {
             objects: self.objects.iter().map(|(shape, of)| Object::new(shape.in_number(), *of)).collect(),
             materials: self.materials.iter().map(|(_, material)| material.in_number()).collect(),
@@ -57,7 +57,7 @@ impl Description {
     }
 
     /// Makes the core's scene of lists of the same number.
-    pub fn scene<'a, S: HostNumber>(&self, lists: &'a Lists<S>) -> Scene<'a, S> {
+    pub fn scene<'a, S: Rounded>(&self, lists: &'a Lists<S>) -> Scene<'a, S> {
         let mut scene = Scene::new(&lists.objects, &lists.materials, &lists.lights);
         scene.sky = self.sky.as_ref().map_or(scene.sky, Sky::in_number);
         scene.ambient = self.ambient.map_or(scene.ambient, Color::in_number);

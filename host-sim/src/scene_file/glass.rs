@@ -3,7 +3,7 @@
 //! To add a field: the field, and a line in each of the two functions.
 
 use super::value::{Color, unless};
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use serde::{Deserialize, Serialize};
 
 /// Is what a surface lets through; its fields are those of the core's glass of the same name.
@@ -50,7 +50,7 @@ impl Fresnel {
 
 impl Glass {
     /// Makes the core's glass, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Glass<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Glass<S> {
         let mut glass = scanray::Glass::new(S::round(self.transmission), S::round(self.index));
         glass.fresnel = self.fresnel.map_or(glass.fresnel, Fresnel::in_core);
         glass.absorption = self.absorption.map_or(glass.absorption, Color::in_number);

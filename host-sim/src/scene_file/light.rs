@@ -3,7 +3,7 @@
 //! To add one: a variant, and an arm in each of the two functions.
 
 use super::value::{Color, Point, point};
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use serde::{Deserialize, Serialize};
 
 /// Is a source of light; its fields are those of the core's light of the same name.
@@ -41,7 +41,7 @@ pub enum Light {
 
 impl Light {
     /// Makes the core's light, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Light<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Light<S> {
         match *self {
             Self::Point { position, color } => scanray::Light::point(point(position), color.in_number()),
             Self::Directional { toward, color } => {

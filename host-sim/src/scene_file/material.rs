@@ -6,7 +6,7 @@
 use super::glass::Glass;
 use super::texture::Texture;
 use super::value::{Color, unless};
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use scanray::{CookTorrance, Rgb};
 use serde::{Deserialize, Serialize};
 
@@ -72,7 +72,7 @@ impl Model {
         })
     }
 
-    fn in_number<S: HostNumber>(self) -> scanray::Model<S> {
+    fn in_number<S: Rounded>(self) -> scanray::Model<S> {
         match self {
             Self::Flat => scanray::Model::Flat,
             Self::Phong => scanray::Model::Phong,
@@ -91,7 +91,7 @@ impl Material {
     }
 
     /// Makes the core's material, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Material<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Material<S> {
         let color = self.color.map_or(Rgb::BLACK, Color::in_number);
         let texture = self.texture.as_ref().map_or(scanray::Texture::Solid(color), Texture::in_number);
         let mut material = scanray::Material::textured(texture);

@@ -4,7 +4,7 @@
 //! a line in each of the two functions.
 
 use super::value::unless;
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use scanray::output::BLUE_NOISE;
 use serde::{Deserialize, Serialize};
 
@@ -87,7 +87,7 @@ impl Dither {
 
 impl Settings {
     /// Makes the core's settings, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Settings<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Settings<S> {
         let mut settings = scanray::Settings::new();
         settings.depth = self.depth.unwrap_or(settings.depth);
         settings.exposure = self.exposure.map_or(settings.exposure, S::round);

@@ -3,7 +3,7 @@
 //! To add one: a variant, and an arm in each of the two functions; the compiler asks for the arms.
 
 use super::value::{Point, point, unless};
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use scanray::{Cone, Cuboid, Plane, Polygon, SmoothTriangle, Sphere, Triangle};
 use serde::{Deserialize, Serialize};
 
@@ -113,7 +113,7 @@ impl FillRule {
 }
 
 impl Vertex {
-    fn in_number<S: HostNumber>(&self) -> scanray::Vertex<S> {
+    fn in_number<S: Rounded>(&self) -> scanray::Vertex<S> {
         scanray::Vertex::new(point(self.point), point(self.normal), self.texture.map(S::round))
     }
 
@@ -127,7 +127,7 @@ impl Shape {
     /// Makes the core's shape, rounded to a number.
     ///
     /// Corners that the core's shape borrows stay in memory as long as the program runs.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Shape<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Shape<S> {
         match *self {
             Self::Sphere { center, radius } => {
                 scanray::Shape::Sphere(Sphere::new(point(center), S::round(radius)))

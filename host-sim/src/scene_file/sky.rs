@@ -3,7 +3,7 @@
 //! To add one: a variant, and an arm in each of the two functions.
 
 use super::value::{Color, Point, UP, point, unless};
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use serde::{Deserialize, Serialize};
 
 /// Is what lies around the scene; its fields are those of the core's sky of the same name.
@@ -29,7 +29,7 @@ pub enum Sky {
 
 impl Sky {
     /// Makes the core's sky, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Sky<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Sky<S> {
         match *self {
             Self::Solid { color } => scanray::Sky::Solid(color.in_number()),
             Self::Gradient { up, nadir, zenith } => scanray::Sky::Gradient {

@@ -3,7 +3,7 @@
 //! To add one: a variant, and an arm in each of the two functions.
 
 use super::value::Color;
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use scanray::{Checker, Rings, Stripes, Vertices};
 use serde::{Deserialize, Serialize};
 
@@ -54,7 +54,7 @@ pub enum Texture {
 
 impl Texture {
     /// Makes the core's texture, rounded to a number.
-    pub fn in_number<S: HostNumber>(&self) -> scanray::Texture<S> {
+    pub fn in_number<S: Rounded>(&self) -> scanray::Texture<S> {
         match *self {
             Self::Checker { even, odd, per_unit } => {
                 scanray::Texture::Checker(Checker::new(even.in_number(), odd.in_number(), S::round(per_unit)))

@@ -1,6 +1,6 @@
 //! Points and colours: what every part of a scene file is made of.
 
-use crate::scenes::HostNumber;
+use crate::rounded::Rounded;
 use scanray::{Rgb, Vec3};
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -13,7 +13,7 @@ pub type Point = [f64; 3];
 pub const UP: Point = [0.0, 1.0, 0.0];
 
 /// Rounds a point to a number.
-pub fn point<S: HostNumber>(point: Point) -> Vec3<S> {
+pub fn point<S: Rounded>(point: Point) -> Vec3<S> {
     Vec3::from_array(point.map(S::round))
 }
 
@@ -33,7 +33,7 @@ impl Color {
     }
 
     /// Rounds it to a number.
-    pub fn in_number<S: HostNumber>(self) -> Rgb<S> {
+    pub fn in_number<S: Rounded>(self) -> Rgb<S> {
         let [r, g, b] = self.0.map(S::round);
         Rgb::new(r, g, b)
     }
