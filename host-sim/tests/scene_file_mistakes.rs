@@ -66,7 +66,7 @@ fn a_misspelt_name_is_shown_with_the_one_that_was_meant() {
     assert_told("lights:", "light:", "unknown field `light`, did you mean `lights`?", (10, "light"));
     assert_told("Point(", "Lamp(", "unknown light `Lamp`", (11, "Lamp"));
     let told = complaint("Point(", "Lamp(").to_string();
-    assert!(told.ends_with("help: Light has `Point`, `Directional`"), "{told}");
+    assert!(told.ends_with("help: Light has `Point`, `Directional`, `Spot`"), "{told}");
 }
 
 #[test]

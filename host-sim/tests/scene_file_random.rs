@@ -98,8 +98,9 @@ fn use_as_file(bytes: Vec<u8>) {
 }
 
 fn a_scene() -> impl Strategy<Value = Vec<u8>> {
-    let texts: Vec<String> =
-        scenes::all().map(|entry| write(&describe(entry.double).unwrap()).unwrap()).collect();
+    // Scenes with images have no words.
+    let described = scenes::all().filter_map(|entry| describe(entry.double).ok());
+    let texts: Vec<String> = described.map(|description| write(&description).unwrap()).collect();
     prop::sample::select(texts).prop_map(String::into_bytes)
 }
 

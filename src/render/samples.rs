@@ -152,14 +152,14 @@ impl<S: Scalar> Grid<S> {
 /// Averages light around the first sample: equal ones come out to the bit, whatever their number.
 struct Mean<S: Scalar> {
     first: Rgb<S>,
-    /// How much the mean is above the first: wide, for a sum of bright differences would saturate.
+    /// How much the others are above the first, all together: wide, for bright ones would saturate.
     above: [S::Wide; 3],
-    share: S,
+    count: i32,
 }
 
 impl<S: Scalar> Mean<S> {
     fn new(count: u32) -> Self {
-        Self { first: Rgb::BLACK, above: [S::Wide::ZERO; 3], share: S::from_i32(count as i32).recip() }
+        Self { first: Rgb::BLACK, above: [S::Wide::ZERO; 3], count: count as i32 }
     }
 
     fn add(&mut self, number: u32, light: Rgb<S>) {
@@ -169,13 +169,13 @@ impl<S: Scalar> Mean<S> {
             let first = self.first;
             let differences = [light.r - first.r, light.g - first.g, light.b - first.b];
             for (above, difference) in self.above.iter_mut().zip(differences) {
-                *above = *above + difference.mul_wide(self.share);
+                *above = *above + difference.mul_wide(S::ONE);
             }
         }
     }
 
     fn light(&self) -> Rgb<S> {
-        let [r, g, b] = self.above.map(S::narrow);
+        let [r, g, b] = self.above.map(|above| S::narrow(above.scale(1, self.count)));
         self.first + Rgb::new(r, g, b)
     }
 }

@@ -17,7 +17,7 @@
 //! const RED_AT_NIGHT: Rgb<Fixed> = Rgb::<Fixed>::from_xyz(CHART[14].reflectance.under(&A));
 //! static PAINT: [Material; 1] = [Material::matte(RED)];
 //! static DAYLIGHT: [Light; 1] = [Light::point(Vec3::new(3.0, 5.0, 4.0), Rgb::WHITE)];
-//! # assert!(RED.r > 10.0 * RED.g && RED_AT_NIGHT.r.to_f64() > RED.r.into());
+//! # assert!(RED.r > 10.0 * RED.g && RED_AT_NIGHT.r.to_f64() > f64::from(RED.r));
 //! ```
 //!
 //! That is exact for one kind of lamp in a scene. Where lamps of several kinds shine on the same surface,
