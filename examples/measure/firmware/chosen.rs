@@ -46,8 +46,9 @@ impl Chosen for Is<true> {
     type Mode = Adaptive;
 }
 
+const _: () = assert!(RASTER || is_mode(b"adaptive") || is_mode(b"exact"), "there is no such mode");
+
 const fn is_adaptive() -> bool {
-    assert!(RASTER || is_mode(b"adaptive") || is_mode(b"exact"), "there is no such mode");
     is_mode(b"adaptive")
 }
 
