@@ -39,6 +39,10 @@ pub enum Fault {
     ImageSize,
     /// Its material is glass, and the shape has no inside.
     NotClosed,
+    /// A triangle of a mesh names a corner that is not in the list, or lists of corners differ in length.
+    Mesh,
+    /// The links of a hierarchy do not make a tree over all things.
+    Hierarchy,
     /// It needs code that this program was built without: the cargo feature of this name.
     LeftOut(&'static str),
     /// The object names a material that is not in the list.
@@ -74,6 +78,10 @@ impl fmt::Display for Fault {
             Self::NormalInward => f.write_str("the normal of a corner does not point to its outward side"),
             Self::ImageSize => f.write_str("its image is empty or more than 2048 texels wide or high"),
             Self::NotClosed => f.write_str("it is of glass and has no inside: it is flat or open"),
+            Self::Mesh => {
+                f.write_str("a triangle names a corner that is not there, or lists differ in length")
+            }
+            Self::Hierarchy => f.write_str("the links of its hierarchy lead astray"),
             Self::LeftOut(feature) => {
                 write!(f, "it needs the feature `{feature}`, which this program was built without")
             }

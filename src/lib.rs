@@ -39,6 +39,7 @@
 //! - [`math`]: the [`Scalar`] trait and its numbers `f32`, [`Fixed`], `f64`; vectors.
 //! - [`ray`], [`hit`], [`aabb`], [`hull`], [`color`], [`fault`]: what everything else speaks of.
 //! - [`spectrum`]: colours from spectra, at compile time.
+//! - [`accel`]: hierarchies over many things.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
 //! - [`texture`], [`material`], [`brdf`], [`glass`], [`light`], [`environment`]: what surfaces do with light.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
@@ -68,6 +69,8 @@ pub mod hit;
 pub mod hull;
 pub mod ray;
 pub mod spectrum;
+
+pub mod accel;
 
 pub mod shape;
 
@@ -107,8 +110,8 @@ pub use render::{Adaptive, AtEdges, Exact, Jittered, Pointwise, Quality, Uniform
 pub use render::{Progress, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{
-    Cone, Cuboid, Displaced, FillRule, Intersect, Plane, Polygon, Shape, SmoothTriangle, Sphere, Triangle,
-    Vertex,
+    Cone, Corners, Cuboid, Displaced, FillRule, Intersect, Mesh, Normals, Plane, Polygon, Shape,
+    SmoothTriangle, Sphere, Triangle, Vertex,
 };
 pub use texture::{
     Bitmap, Bump, Checker, Filter, Image, Procedural, Relief, Rings, Stripes, Texels, Texture, Vertices,

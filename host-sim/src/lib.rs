@@ -1,6 +1,7 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
 
 pub mod animation;
+pub mod bake;
 pub mod bench;
 pub mod canvas;
 pub mod cli;

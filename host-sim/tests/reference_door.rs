@@ -7,10 +7,11 @@ use std::{fs, io};
 const DOOR: &str = "door.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 22] = [
+const DATA: [&str; 25] = [
     "Bitmap",
     "Bump",
     "Camera",
+    "Corners",
     "Dither",
     "FillRule",
     "Filter",
@@ -19,7 +20,9 @@ const DATA: [&str; 22] = [
     "Image",
     "Light",
     "Material",
+    "Mesh",
     "Model",
+    "Normals",
     "Object",
     "Projection",
     "Relief",
@@ -33,9 +36,24 @@ const DATA: [&str; 22] = [
 ];
 const ALSO_DATA: &str = "Vec3";
 
-/// Lists the methods the door may call: those of slices, options and iterators, and those of an image
-/// that read its texels out.
-const METHODS: [&str; 9] = ["as_ref", "collect", "get", "iter", "map", "ok_or", "size", "texel", "transpose"];
+/// Lists the methods the door may call: those of slices, options and iterators, those of an image that read
+/// its texels out, and one of its own that takes meshes apart.
+const METHODS: [&str; 14] = [
+    "as_ref",
+    "clone",
+    "collect",
+    "concat",
+    "enumerate",
+    "facets",
+    "get",
+    "into_iter",
+    "iter",
+    "map",
+    "ok_or",
+    "size",
+    "texel",
+    "transpose",
+];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this
 /// test.

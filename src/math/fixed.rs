@@ -235,6 +235,10 @@ impl Scalar for Fixed {
         Self::of((bits.min(1 << 24) >> 4) as i32)
     }
 
+    fn next_up(self) -> Self {
+        Self::of(self.bits().saturating_add(1))
+    }
+
     fn in_range(self) -> bool {
         Scalar::abs(self) <= Self::LIMIT
     }

@@ -177,6 +177,10 @@ macro_rules! float_scalar {
                 <$float>::abs(self)
             }
 
+            fn next_up(self) -> Self {
+                <$float>::next_up(self)
+            }
+
             fn in_range(self) -> bool {
                 $crate::math::Scalar::abs(self) <= Self::LIMIT
             }

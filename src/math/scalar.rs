@@ -16,6 +16,7 @@ pub trait Scalar:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Neg<Output = Self>
+    + Sync
     + 'static
 {
     /// Holds products of two scalars and their sums: in fixed point every digit, in floats as many
@@ -101,6 +102,8 @@ pub trait Scalar:
     fn light_bits(self) -> u32;
     /// Converts an integer to light, the way back from [`Self::light_bits`], for at most 2^24.
     fn from_light_bits(bits: u32) -> Self;
+    /// Answers the next larger number, for a value that is not negative.
+    fn next_up(self) -> Self;
     /// Tells whether a scene may contain this value: a number, no larger than [`Self::LIMIT`].
     fn in_range(self) -> bool;
 

@@ -55,7 +55,7 @@ fn check_object<S: Scalar, X: Intersect<S>>(
 /// Tells whether a shape bounds a body, as glass asks; a user's own is taken to.
 fn has_inside<S: Scalar, X>(shape: &Shape<S, X>) -> bool {
     match shape {
-        Shape::Triangle(_) | Shape::Polygon(_) | Shape::SmoothTriangle(_) => false,
+        Shape::Triangle(_) | Shape::Polygon(_) | Shape::SmoothTriangle(_) | Shape::Mesh(_) => false,
         Shape::Cuboid(Cuboid { low, high }) => low.x < high.x && low.y < high.y && low.z < high.z,
         Shape::Cone(cone) => cone.capped,
         // On the far side of a plane there is no end of it.

@@ -7,9 +7,10 @@ mod called;
 mod cone;
 mod cuboid;
 mod displaced;
-#[cfg(not(feature = "shapes"))]
+#[cfg(not(all(feature = "shapes", feature = "meshes")))]
 mod left_out;
 mod march;
+mod mesh;
 mod plane;
 mod polygon;
 mod smooth;
@@ -19,8 +20,9 @@ mod triangle;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use displaced::Displaced;
-#[cfg(not(feature = "shapes"))]
+#[cfg(not(all(feature = "shapes", feature = "meshes")))]
 pub(crate) use left_out::LeftOut;
+pub use mesh::{Corners, Mesh, Normals};
 pub use plane::Plane;
 pub use polygon::{FillRule, Polygon};
 pub use smooth::{SmoothTriangle, Vertex};
@@ -112,6 +114,8 @@ pub enum Shape<S: 'static = f32, X = Infallible> {
     SmoothTriangle(SmoothTriangle<S>),
     /// A ball with a relief.
     Displaced(Displaced<S>),
+    /// Many triangles.
+    Mesh(&'static Mesh<S>),
     /// The user's own shape.
     Custom(X),
 }
@@ -132,12 +136,19 @@ macro_rules! dispatch {
             $crate::shape::Shape::SmoothTriangle($inner) => $call,
             #[cfg(feature = "shapes")]
             $crate::shape::Shape::Displaced($inner) => $call,
+            #[cfg(feature = "meshes")]
+            $crate::shape::Shape::Mesh($inner) => $call,
+            #[cfg(not(feature = "meshes"))]
+            $crate::shape::Shape::Mesh(_) => {
+                let $inner = &$crate::shape::LeftOut("meshes");
+                $call
+            }
             #[cfg(not(feature = "shapes"))]
             $crate::shape::Shape::Polygon(_)
             | $crate::shape::Shape::Cone(_)
             | $crate::shape::Shape::SmoothTriangle(_)
             | $crate::shape::Shape::Displaced(_) => {
-                let $inner = &$crate::shape::LeftOut;
+                let $inner = &$crate::shape::LeftOut("shapes");
                 $call
             }
             $crate::shape::Shape::Custom($inner) => $call,

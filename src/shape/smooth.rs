@@ -1,7 +1,7 @@
 use super::called::{add_scaled, difference, dot, normalized, scaled};
 use super::{Intersect, Triangle};
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -53,15 +53,36 @@ impl<S> SmoothTriangle<S> {
     }
 }
 
+/// Is a smooth triangle, its corners put together from wherever they lie.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facet<S> {
+    /// Its corners, anticlockwise as seen from outside.
+    pub vertices: [Vertex<S>; 3],
+}
+
+impl<S> Facet<S> {
+    /// Makes a triangle of its corners.
+    pub const fn new(vertices: [Vertex<S>; 3]) -> Self {
+        Self { vertices }
+    }
+}
+
 impl<S: Scalar> SmoothTriangle<S> {
     fn flat(&self) -> Triangle<S> {
         let [a, b, c] = self.vertices;
         Triangle::new(a.point, b.point, c.point)
     }
+}
+
+impl<S: Scalar> Facet<S> {
+    fn flat(&self) -> Triangle<S> {
+        let [a, b, c] = &self.vertices;
+        Triangle::new(a.point, b.point, c.point)
+    }
 
     /// Answers how far a hit is put off the triangle.
     fn step(&self) -> S {
-        let [a, b, c] = self.vertices;
+        let [a, b, c] = &self.vertices;
         let reach = |corner: &Vertex<S>| difference(corner.point, a.point).largest();
         let extent = reach(b).max(reach(c));
         extent * S::SLACK
@@ -89,6 +110,29 @@ impl<S: Scalar> SmoothTriangle<S> {
             add_scaled(point, normal, below * weight)
         })
     }
+
+    /// Works out the surface at a crossing of its triangle.
+    #[inline(never)]
+    pub(super) fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
+        let Crossing { u, v, .. } = *crossing;
+        let weights = [S::ONE - u - v, u, v];
+        let flat = self.flat();
+        let outward = flat.normal().unwrap_or(-ray.direction);
+        let side = if dot(outward, ray.direction) > S::ZERO { -S::ONE } else { S::ONE };
+        let seen = scaled(outward, side);
+        let point = add_scaled(self.bulge(flat.point(u, v), weights, side), seen, self.step());
+        let normal = scaled(self.normal(weights, side, ray.direction).unwrap_or(seen), side);
+        let texture = |axis: fn(&Vertex<S>) -> S| {
+            let corners = self.vertices.iter().zip(weights);
+            corners.fold(S::ZERO, |sum, (vertex, weight)| sum.add_product(axis(vertex), weight))
+        };
+        Surface { point, normal, u: texture(|v| v.texture[0]), v: texture(|v| v.texture[1]), part: 0 }
+    }
+
+    /// Answers the ways along which the texture coordinates grow.
+    pub(super) fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        super::plane::tangents(surface.normal)
+    }
 }
 
 impl<S: Scalar> Intersect<S> for SmoothTriangle<S> {
@@ -104,19 +148,7 @@ impl<S: Scalar> Intersect<S> for SmoothTriangle<S> {
 
     #[inline(never)]
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
-        let Crossing { u, v, .. } = *crossing;
-        let weights = [S::ONE - u - v, u, v];
-        let flat = self.flat();
-        let outward = flat.normal().unwrap_or(-ray.direction);
-        let side = if dot(outward, ray.direction) > S::ZERO { -S::ONE } else { S::ONE };
-        let seen = scaled(outward, side);
-        let point = add_scaled(self.bulge(flat.point(u, v), weights, side), seen, self.step());
-        let normal = scaled(self.normal(weights, side, ray.direction).unwrap_or(seen), side);
-        let texture = |axis: fn(&Vertex<S>) -> S| {
-            let corners = self.vertices.iter().zip(weights);
-            corners.fold(S::ZERO, |sum, (vertex, weight)| sum.add_product(axis(vertex), weight))
-        };
-        Surface { point, normal, u: texture(|v| v.texture[0]), v: texture(|v| v.texture[1]), part: 0 }
+        Facet::new(*self.vertices).surface(ray, crossing)
     }
 
     #[inline(never)]

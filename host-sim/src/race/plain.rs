@@ -81,6 +81,7 @@ fn unwritable(shape: &Shape<f64>) -> Option<&'static str> {
         Shape::Cone(_) => Some("cones"),
         Shape::SmoothTriangle(_) => Some("smooth triangles"),
         Shape::Displaced(_) => Some("reliefs"),
+        Shape::Mesh(_) => Some("meshes"),
         Shape::Custom(none) => match *none {},
     }
 }

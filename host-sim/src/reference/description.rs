@@ -38,6 +38,8 @@ pub struct Description {
 
 #[derive(Clone, Debug)]
 pub(super) struct Object {
+    /// Place in the scene's list: the triangles of a mesh are objects of one place.
+    pub number: usize,
     pub shape: Shape,
     pub material: Material,
 }

@@ -7,6 +7,7 @@ use super::description::{
 };
 use super::displaced::Displaced;
 use super::glass::{Glass, Turning};
+use super::mesh::{Corners, Mesh, Normals};
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
@@ -47,8 +48,24 @@ fn bump(bump: &scanray::Bump<f64>) -> Result<Bump, Unknown> {
     }
 }
 
-fn shape(shape: &scanray::Shape<f64>) -> Shape {
-    match shape {
+fn mesh(mesh: &scanray::Mesh<f64>) -> Mesh {
+    let corners = match &mesh.corners {
+        scanray::Corners::Exact(places) => Corners::Exact(places.iter().map(vector).collect()),
+        scanray::Corners::Quantized { low, sides, steps } => {
+            Corners::Steps { low: vector(low), sides: vector(sides), steps }
+        }
+    };
+    let normals = match &mesh.normals {
+        scanray::Normals::Flat => Normals::Flat,
+        scanray::Normals::Exact(normals) => Normals::Exact(normals.iter().map(vector).collect()),
+        scanray::Normals::Octahedral(points) => Normals::Octahedron(points),
+    };
+    Mesh { triangles: mesh.triangles, corners, normals, coordinates: mesh.texture }
+}
+
+/// Answers a shape, or what it is made of.
+fn shapes(shape: &scanray::Shape<f64>) -> Vec<Shape> {
+    let one = match shape {
         scanray::Shape::Sphere(s) => Shape::Sphere { center: vector(&s.center), radius: s.radius },
         scanray::Shape::Plane(p) => Shape::Plane { point: vector(&p.point), normal: vector(&p.normal) },
         scanray::Shape::Triangle(t) => Shape::Triangle { corners: [&t.a, &t.b, &t.c].map(vector) },
@@ -79,8 +96,12 @@ fn shape(shape: &scanray::Shape<f64>) -> Shape {
             relief: image(&d.relief),
             height: d.height,
         }),
+        scanray::Shape::Mesh(whole) => {
+            return mesh(whole).facets().into_iter().map(Shape::Smooth).collect();
+        }
         scanray::Shape::Custom(none) => match *none {},
-    }
+    };
+    vec![one]
 }
 
 fn texture(texture: &scanray::Texture<f64>) -> Result<Texture, Unknown> {
@@ -193,13 +214,15 @@ impl Description {
         lens: &scanray::Camera<f64>,
         settings: &scanray::Settings<f64>,
     ) -> Result<Self, Unknown> {
-        let object = |o: &scanray::Object<f64>| {
+        let object = |(number, o): (usize, &scanray::Object<f64>)| {
             let place = usize::from(o.material);
             let stuff = scene.materials.get(place).ok_or(Unknown("material, missing from the list"))?;
-            Ok(Object { shape: shape(&o.shape), material: material(stuff)? })
+            let stuff = material(stuff)?;
+            let object = |shape: Shape| Object { number, shape, material: stuff.clone() };
+            Ok(shapes(&o.shape).into_iter().map(object).collect::<Vec<_>>())
         };
         Ok(Self {
-            objects: scene.objects.iter().map(object).collect::<Result<_, _>>()?,
+            objects: scene.objects.iter().enumerate().map(object).collect::<Result<Vec<_>, _>>()?.concat(),
             lights: scene.lights.iter().map(lamp).collect::<Result<_, _>>()?,
             sky: sky(&scene.sky)?,
             ambient: light(&scene.ambient),

@@ -115,7 +115,7 @@ impl Description {
             .map(|light| material.model != Model::Flat && self.reaches(light, &place))
             .collect();
         let direct = self.direct_light(&place, &reached);
-        trail.push(Stop { object, part, tile, lights: reached });
+        trail.push(Stop { object: self.objects[object].number, part, tile, lights: reached });
         let mut sum = direct;
         if levels > 0 {
             let mut send = |weight: f64, direction: Vector, media: &[usize]| {

@@ -18,6 +18,7 @@ mod door;
 mod glass;
 mod light;
 mod matrix;
+mod mesh;
 mod outline;
 mod picture;
 mod raster;

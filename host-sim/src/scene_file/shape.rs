@@ -180,8 +180,8 @@ impl Shape {
                 let [a, b, c] = s.vertices.each_ref().map(Vertex::of);
                 Self::SmoothTriangle { a, b, c }
             }
-            // Its relief is an image, and files hold none.
-            scanray::Shape::Displaced(_) => return None,
+            // Its relief is an image, and files hold none; nor do they hold meshes.
+            scanray::Shape::Displaced(_) | scanray::Shape::Mesh(_) => return None,
             scanray::Shape::Custom(none) => match *none {},
         })
     }

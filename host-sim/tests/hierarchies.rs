@@ -1,0 +1,110 @@
+//! Hierarchies leave out nothing: meshes and scenes with them are those without, to the bit.
+
+use host_sim::bake::{Bounds, Bvh};
+use host_sim::rounded::Rounded;
+use proptest::prelude::*;
+use scanray::accel::{Every, Hierarchy};
+use scanray::math::Vec3;
+use scanray::ray::{Interval, Ray};
+use scanray::{Corners, Fixed, Intersect, Mesh, Normals};
+
+type Point = [f64; 3];
+
+/// Makes the same triangles twice: with a hierarchy, and asked one by one.
+fn meshes<S: Rounded>(
+    triangles: &[[Point; 3]],
+    hierarchy: &dyn Fn(&[Bounds]) -> &'static dyn Hierarchy<S>,
+) -> [&'static Mesh<S>; 2] {
+    let places: Vec<Vec3<S>> =
+        triangles.iter().flatten().map(|p| Vec3::from_array(p.map(S::round))).collect();
+    let numbers: Vec<[u16; 3]> = (0..triangles.len() as u16).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
+    let bounds: Vec<Bounds> = triangles.iter().map(|corners| Bounds::around(*corners)).collect();
+    let corners = Corners::Exact(places.leak());
+    let numbers: &'static [[u16; 3]] = numbers.leak();
+    let every = Box::leak(Box::new(Every(triangles.len() as u16)));
+    let hierarchies: [&'static dyn Hierarchy<S>; 2] = [hierarchy(&bounds), every];
+    hierarchies.map(|hierarchy| {
+        let mesh = Mesh::new(numbers, corners, Normals::Flat, hierarchy);
+        &*Box::leak(Box::new(mesh))
+    })
+}
+
+fn bvh<S: Rounded>(bounds: &[Bounds]) -> &'static dyn Hierarchy<S> {
+    Box::leak(Box::new(Bvh::build(bounds).leak::<S>()))
+}
+
+fn point(reach: f64) -> impl Strategy<Value = Point> {
+    prop::array::uniform3(-reach..reach)
+}
+
+/// Answers triangles of all sizes, some of them flat along an axis and some the same twice.
+fn triangles() -> impl Strategy<Value = Vec<[Point; 3]>> {
+    let size = prop_oneof![Just(0.01), Just(0.3), Just(3.0), Just(40.0)];
+    let triangle = (point(20.0), size, prop::array::uniform3(point(1.0)), 0..4_usize).prop_map(
+        |(at, size, corners, flat)| {
+            corners.map(|corner| {
+                std::array::from_fn(|axis| at[axis] + if axis == flat { 0.0 } else { size * corner[axis] })
+            })
+        },
+    );
+    prop::collection::vec(triangle, 1..60).prop_map(|mut list| {
+        let again = list[0];
+        list.push(again);
+        list
+    })
+}
+
+/// Answers where a ray starts and a point toward which it goes, sometimes along an axis.
+fn rays() -> impl Strategy<Value = Vec<(Point, Point)>> {
+    let toward = (point(1.0), 0..8_usize).prop_map(|(mut toward, axis)| {
+        for (at, value) in toward.iter_mut().enumerate() {
+            // The last bits say which coordinates are 0 or nearly 0.
+            *value *= if axis >> at & 1 == 1 { 1e-4 } else { 1.0 };
+        }
+        toward
+    });
+    prop::collection::vec((point(60.0), toward, point(20.0), any::<bool>()), 50).prop_map(|list| {
+        let aim = |(from, toward, at, aimed): (Point, Point, Point, bool)| {
+            (from, if aimed { std::array::from_fn(|i| at[i] - from[i]) } else { toward })
+        };
+        list.into_iter().map(aim).collect()
+    })
+}
+
+fn check<S: Rounded>(
+    triangles: &[[Point; 3]],
+    rays: &[(Point, Point)],
+    hierarchy: &dyn Fn(&[Bounds]) -> &'static dyn Hierarchy<S>,
+) -> Result<(), TestCaseError> {
+    let [with, without] = meshes::<S>(triangles, hierarchy);
+    prop_assert_eq!(with.check(), Ok(()));
+    for (from, toward) in rays {
+        let vector = |p: &Point| Vec3::from_array(p.map(S::round));
+        let Some((direction, _)) = vector(toward).normalize() else { continue };
+        let ray = Ray::new(vector(from), direction);
+        for interval in [Interval::AHEAD, Interval::new(S::ONE, S::round(30.0))] {
+            prop_assert_eq!(with.intersect(&ray, &interval), without.intersect(&ray, &interval), "{:?}", ray);
+            prop_assert_eq!(with.occludes(&ray, &interval), without.occludes(&ray, &interval), "{:?}", ray);
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_bvh_leaves_out_no_triangle_in_f32(triangles in triangles(), rays in rays()) {
+        check::<f32>(&triangles, &rays, &bvh)?;
+    }
+
+    #[test]
+    fn a_bvh_leaves_out_no_triangle_in_fixed_point(triangles in triangles(), rays in rays()) {
+        check::<Fixed>(&triangles, &rays, &bvh)?;
+    }
+
+    #[test]
+    fn a_bvh_leaves_out_no_triangle_in_f64(triangles in triangles(), rays in rays()) {
+        check::<f64>(&triangles, &rays, &bvh)?;
+    }
+}

@@ -1,0 +1,66 @@
+use crate::fault::Fault;
+use crate::math::{Scalar, Vec3};
+
+/// Says how a mesh is lit: flat, or smooth by the normals of its corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Normals<S: 'static = f32> {
+    /// Each triangle by its own normal.
+    Flat,
+    /// A unit vector for each corner: 12 bytes each.
+    Exact(&'static [Vec3<S>]),
+    /// An octahedron's point for each corner: 2 bytes each, at most 0.95 degrees off.
+    ///
+    /// The sphere is mapped onto the octahedron `|x| + |y| + |z| = 1` and its lower half, z < 0, turned out over
+    /// the upper one's edges, onto a square (Z. Cigolle et al. 2014, "A Survey of Efficient Representations
+    /// for Independent Unit Vectors"); a step is 1/127.
+    Octahedral(&'static [[i8; 2]]),
+}
+
+impl<S: Scalar> Normals<S> {
+    /// Answers the unit normal of a corner, if it has one.
+    pub(super) fn normal(&self, number: u16) -> Option<Vec3<S>> {
+        let number = usize::from(number);
+        match self {
+            Self::Flat => None,
+            Self::Exact(normals) => normals.get(number).copied(),
+            Self::Octahedral(points) => points.get(number).and_then(|point| unfold(*point)),
+        }
+    }
+
+    pub(super) fn check(&self, corners: usize) -> Result<(), Fault> {
+        match self {
+            Self::Flat => Ok(()),
+            Self::Exact(normals) if normals.len() != corners => Err(Fault::Mesh),
+            Self::Octahedral(points) if points.len() != corners => Err(Fault::Mesh),
+            Self::Exact(normals) if !normals.iter().all(|normal| normal.is_unit()) => Err(Fault::NoDirection),
+            Self::Exact(_) | Self::Octahedral(_) => Ok(()),
+        }
+    }
+}
+
+/// Answers the unit vector of a point of the square.
+fn unfold<S: Scalar>(point: [i8; 2]) -> Option<Vec3<S>> {
+    const EDGE: i32 = 127;
+    let [x, y] = point.map(i32::from);
+    let z = EDGE - x.abs() - y.abs();
+    // Of the lower half, what lies beyond the edge is folded back.
+    let fold = |this: i32, other: i32| if this < 0 { other.abs() - EDGE } else { EDGE - other.abs() };
+    let (x, y) = if z < 0 { (fold(x, y), fold(y, x)) } else { (x, y) };
+    // In units of a half each: the length is above 36 and below 64.
+    let place = |n: i32| S::from_i32(n) * S::HALF;
+    Vec3::new(place(x), place(y), place(z)).normalize().map(|(unit, _)| unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_octahedrons_corners_are_the_axes() {
+        let unit = |x, y, z| Some(Vec3::new(x, y, z));
+        assert_eq!(unfold::<f64>([127, 0]).map(|n| n.x > 0.999_999), Some(true));
+        assert_eq!(unfold::<crate::Fixed>([0, 0]), Vec3::from_f64(0.0, 0.0, 1.0).into());
+        let down = unfold::<f64>([127, -127]);
+        assert!(down.zip(unit(0.0, 0.0, -1.0)).is_some_and(|(a, b)| a.dot(b) > 0.999_999), "{down:?}");
+    }
+}
