@@ -4,6 +4,7 @@ use crate::camera::Frame;
 use crate::math::Scalar;
 use crate::scene::Scene;
 use crate::shape::Intersect;
+use core::ops::Range;
 
 impl Spans {
     /// Finds the columns of each object that any of some lines of row `y` can touch.
@@ -17,13 +18,14 @@ impl Spans {
         lines: impl Iterator<Item = [u8; 2]>,
     ) {
         self.row.clear();
-        let end = u16::try_from(scene.objects.len()).unwrap_or(u16::MAX);
+        let Range { start, end } = scene.loose();
         self.rest = end..end;
         let row = u16::try_from(y).unwrap_or(u16::MAX);
         for line in lines {
             let fan = frame.line_fan(y, line);
-            for (index, object) in (0..end).zip(scene.objects) {
-                if self.rows.get(usize::from(index)).is_some_and(|rows| !rows.contains(&row)) {
+            let loose = scene.objects.iter().skip(usize::from(start));
+            for ((index, object), place) in (start..end).zip(loose).zip(0..) {
+                if self.rows.get(place).is_some_and(|rows: &Range<u16>| !rows.contains(&row)) {
                     continue;
                 }
                 let columns = fan.as_ref().map_or(0..u16::MAX, |fan| fan.columns(&object.shape.hull()));

@@ -59,7 +59,8 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         let mut x = columns.start;
         while x < columns.end {
             let stop = spans.enter_column(x).clamp(x + 1, columns.end);
-            if let (true, Some(light)) = (spans.candidates().is_empty(), tracer.background()) {
+            let nothing = spans.candidates().is_empty() && self.scene.tree().is_none();
+            if let (true, Some(light)) = (nothing, tracer.background()) {
                 while x < stop {
                     observer.ray(RayKind::Primary);
                     observer.met(0, u16::MAX, 0);

@@ -16,7 +16,8 @@ pub(super) struct Span {
     pub columns: Range<u16>,
 }
 
-/// Knows which objects the rays of a picture's pixels can meet: none that they meet is missing.
+/// Knows which objects the rays of a picture's pixels can meet: none that they meet is missing, but for those
+/// in the scene's hierarchy.
 ///
 /// Once a picture it finds the rows that each object can touch, once a row the columns of the
 /// objects whose rows these are. Between the ends of such spans all pixels have the same
@@ -44,7 +45,7 @@ impl Spans {
     pub fn enter_picture<S: Scalar, X: Intersect<S>>(&mut self, scene: &Scene<'_, S, X>, frame: &Frame<S>) {
         self.rows.clear();
         let fan = frame.upright_fan();
-        for object in scene.objects.iter().take(ROOM) {
+        for object in scene.objects.iter().skip(usize::from(scene.loose().start)).take(ROOM) {
             let rows = fan.as_ref().map_or(0..u16::MAX, |fan| fan.rows(&object.shape.hull()));
             // There is room for as many as were taken.
             let _ = self.rows.push(rows);
@@ -59,12 +60,13 @@ impl Spans {
         y: u32,
     ) {
         self.row.clear();
-        let end = u16::try_from(scene.objects.len()).unwrap_or(u16::MAX);
+        let Range { start, end } = scene.loose();
         self.rest = end..end;
         let fan = frame.row_fan(y);
         let row = u16::try_from(y).unwrap_or(u16::MAX);
-        for (index, object) in (0..end).zip(scene.objects) {
-            if self.rows.get(usize::from(index)).is_some_and(|rows| !rows.contains(&row)) {
+        let loose = scene.objects.iter().skip(usize::from(start));
+        for ((index, object), place) in (start..end).zip(loose).zip(0..) {
+            if self.rows.get(place).is_some_and(|rows: &Range<u16>| !rows.contains(&row)) {
                 continue;
             }
             let columns = fan.as_ref().map_or(0..u16::MAX, |fan| fan.columns(&object.shape.hull()));

@@ -22,6 +22,8 @@ pub enum SceneError {
     Sky(Fault),
     /// The ambient light.
     Ambient(Fault),
+    /// The hierarchy.
+    Hierarchy(Fault),
 }
 
 impl fmt::Display for SceneError {
@@ -31,6 +33,7 @@ impl fmt::Display for SceneError {
             Self::Material(index, fault) => write!(f, "material {index}: {fault}"),
             Self::Light(index, fault) => write!(f, "light {index}: {fault}"),
             Self::Sky(fault) => write!(f, "sky: {fault}"),
+            Self::Hierarchy(fault) => write!(f, "hierarchy of objects: {fault}"),
             Self::Ambient(fault) => write!(f, "ambient light: {fault}"),
         }
     }
@@ -114,10 +117,20 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
         if self.objects.len() > usize::from(u16::MAX) {
             return Err(SceneError::Object(self.objects.len(), Fault::TooMany));
         }
+        self.check_hierarchy().map_err(SceneError::Hierarchy)?;
         each(self.objects, SceneError::Object, |o| check_object(o, self.materials))?;
         each(self.materials, SceneError::Material, Material::check)?;
         each(self.lights, SceneError::Light, check_light)?;
         check_sky(&self.sky).map_err(SceneError::Sky)?;
         in_range(self.ambient.in_range()).map_err(SceneError::Ambient)
+    }
+
+    fn check_hierarchy(&self) -> Result<(), Fault> {
+        let Some(hierarchy) = self.hierarchy else { return Ok(()) };
+        if !cfg!(feature = "meshes") {
+            return Err(Fault::LeftOut("meshes"));
+        }
+        let held = usize::from(hierarchy.count());
+        if held > self.objects.len() { Err(Fault::Hierarchy) } else { hierarchy.check() }
     }
 }

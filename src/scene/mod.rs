@@ -7,6 +7,7 @@ mod extent;
 pub use buffer::{Full, SceneBuffer};
 pub use check::SceneError;
 
+use crate::accel::Hierarchy;
 use crate::color::Rgb;
 use crate::environment::Sky;
 use crate::light::Light;
@@ -14,6 +15,8 @@ use crate::material::Material;
 use crate::math::Scalar;
 use crate::shape::Shape;
 use core::convert::Infallible;
+use core::ops::Range;
+use core::ptr;
 
 /// Is a shape with its material's place in the scene's list.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +38,7 @@ impl<S, X> Object<S, X> {
 ///
 /// The same scene from flash and from a [`SceneBuffer`] draws the same picture. The order of the
 /// objects does not matter, but where two surfaces coincide: there the first one listed is seen.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Scene<'a, S: 'static = f32, X = Infallible> {
     /// Shapes with their materials.
     pub objects: &'a [Object<S, X>],
@@ -47,6 +50,19 @@ pub struct Scene<'a, S: 'static = f32, X = Infallible> {
     pub sky: Sky<S>,
     /// Light that reaches every surface from everywhere.
     pub ambient: Rgb<S>,
+    /// Which of the first so many objects a ray may meet, as many as it holds; those behind them in the list are
+    /// asked one by one. Without it, all are.
+    pub hierarchy: Option<&'a dyn Hierarchy<S>>,
+}
+
+/// Is the same hierarchy, not an equal one.
+impl<S: PartialEq, X: PartialEq> PartialEq for Scene<'_, S, X> {
+    fn eq(&self, other: &Self) -> bool {
+        let address = |scene: &Self| scene.hierarchy.map(|hierarchy| ptr::from_ref(hierarchy).cast::<()>());
+        (self.objects, self.materials, self.lights) == (other.objects, other.materials, other.lights)
+            && (self.sky == other.sky && self.ambient == other.ambient)
+            && address(self) == address(other)
+    }
 }
 
 // Derived, these would ask the user's shape to be `Copy`, though the scene only borrows it.
@@ -65,7 +81,7 @@ impl<'a, S: Scalar, X> Scene<'a, S, X> {
         materials: &'a [Material<S>],
         lights: &'a [Light<S>],
     ) -> Self {
-        Self { objects, materials, lights, sky: Sky::Solid(Rgb::BLACK), ambient: Rgb::BLACK }
+        Self { objects, materials, lights, sky: Sky::Solid(Rgb::BLACK), ambient: Rgb::BLACK, hierarchy: None }
     }
 
     /// Sets the sky.
@@ -78,5 +94,22 @@ impl<'a, S: Scalar, X> Scene<'a, S, X> {
     pub const fn with_ambient(mut self, ambient: Rgb<S>) -> Self {
         self.ambient = ambient;
         self
+    }
+
+    /// Sets the hierarchy over the first objects, those that it holds.
+    pub const fn with_hierarchy(mut self, hierarchy: &'a dyn Hierarchy<S>) -> Self {
+        self.hierarchy = Some(hierarchy);
+        self
+    }
+
+    /// Answers the hierarchy, if this program was built with any.
+    pub(crate) fn tree(&self) -> Option<&'a dyn Hierarchy<S>> {
+        if cfg!(feature = "meshes") { self.hierarchy } else { None }
+    }
+
+    /// Answers the places of the objects that are asked one by one.
+    pub(crate) fn loose(&self) -> Range<u16> {
+        let end = u16::try_from(self.objects.len()).unwrap_or(u16::MAX);
+        self.tree().map_or(0, |tree| tree.count()).min(end)..end
     }
 }

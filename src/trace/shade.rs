@@ -84,7 +84,7 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
             interval: Interval::new(S::ZERO, distance),
             from: site.from,
         };
-        let (Some(vicinities), 0) = (&mut self.vicinities, site.level) else {
+        let (Some(vicinities), 0, None) = (&mut self.vicinities, site.level, self.scene.tree()) else {
             return query().is_blocked(self.scene);
         };
         let vicinity = vicinities.of(self.scene, number, point, site.distance);

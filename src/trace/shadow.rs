@@ -16,7 +16,19 @@ impl<S: Scalar> Query<S> {
     /// Asks all objects.
     #[inline(never)]
     pub fn is_blocked<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> bool {
-        (0..scene.objects.len()).any(|index| self.is_blocked_by(scene, index))
+        scene.loose().any(|index| self.is_blocked_by(scene, usize::from(index)))
+            || self.is_blocked_among(scene)
+    }
+
+    /// Asks the objects of the scene's hierarchy.
+    fn is_blocked_among<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> bool {
+        let Some(tree) = scene.tree() else { return false };
+        let mut blocked = false;
+        tree.walk(&self.ray, &self.interval, &mut |index| {
+            blocked |= self.is_blocked_by(scene, usize::from(index));
+            if blocked { S::ZERO } else { self.interval.far }
+        });
+        blocked
     }
 
     /// Asks the objects of a vicinity, the last blocker first, for shadows are wider than a pixel.

@@ -1,13 +1,16 @@
 //! What rays meet: the nearest object, and whether anything stands before a light.
 
 use super::lane::Lane;
+use crate::accel::Hierarchy;
+use crate::hit::Crossing;
 use crate::math::{Scalar, Vec3};
-use crate::ray::Ray;
+use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
 use crate::shape::{Intersect, Shape, dispatch};
 use core::ops::Range;
 
-/// Names the objects a ray may meet, by their places in the scene's list, in rising order.
+/// Names the objects a ray may meet, by their places in the scene's list, in rising order; those of the scene's
+/// hierarchy are not among them.
 #[derive(Clone, Debug)]
 pub struct Candidates<'c> {
     /// Objects named one by one.
@@ -24,9 +27,9 @@ impl Candidates<'_> {
 }
 
 impl Candidates<'static> {
-    /// Names all objects of a scene.
+    /// Names all objects of a scene that are not in its hierarchy.
     pub fn all<S: Scalar, X>(scene: &Scene<'_, S, X>) -> Self {
-        Self { named: &[], rest: 0..u16::try_from(scene.objects.len()).unwrap_or(u16::MAX) }
+        Self { named: &[], rest: scene.loose() }
     }
 }
 
@@ -47,6 +50,47 @@ pub(super) fn nearest<S: Scalar, X: Intersect<S>>(
             (_, shape) => dispatch!(shape, shape => look(shape, index, lanes)),
         }
     }
+    if let Some(tree) = scene.tree() {
+        lanes.iter_mut().for_each(|lane| look_among(scene, tree, lane));
+    }
+}
+
+/// Finds the nearest object of a hierarchy, if it is nearer than what the ray has met.
+#[inline(never)]
+fn look_among<S: Scalar, X: Intersect<S>>(
+    scene: &Scene<'_, S, X>,
+    tree: &dyn Hierarchy<S>,
+    lane: &mut Lane<S>,
+) {
+    let (ray, interval) = (lane.ray, lane.interval);
+    tree.walk(&ray, &interval, &mut |index| {
+        let far = lane.interval.far;
+        // Of two at the same distance the one listed first counts, in whichever order they are named.
+        let first = lane.met != Lane::<S>::NOTHING && index < lane.met;
+        let look = Interval::new(interval.near, if first { far.next_up() } else { far });
+        let crossing =
+            scene.objects.get(usize::from(index)).and_then(|object| ask(&object.shape, index, lane, &look));
+        if let Some(crossing) = crossing {
+            lane.meet(index, crossing);
+        }
+        lane.interval.far
+    });
+}
+
+/// Asks a shape about a ray that may start on it.
+fn ask<S: Scalar>(
+    shape: &impl Intersect<S>,
+    index: u16,
+    lane: &Lane<S>,
+    interval: &Interval<S>,
+) -> Option<Crossing<S>> {
+    if lane.from.index != index {
+        shape.intersect(&lane.ray, interval)
+    } else if lane.from.free {
+        None
+    } else {
+        shape.intersect_leaving(&lane.ray, interval)
+    }
 }
 
 /// Asks a shape about rays from one point off all surfaces: what the shape works out of that point alone is
@@ -62,15 +106,8 @@ fn look_out<S: Scalar>(shape: &impl Intersect<S>, index: u16, eye: Vec3<S>, lane
 /// Asks a shape about rays that each have their own start.
 fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>]) {
     for lane in lanes {
-        let ray = lane.ray;
-        let crossing = if lane.from.index != index {
-            shape.intersect(&ray, &lane.interval)
-        } else if lane.from.free {
-            None
-        } else {
-            shape.intersect_leaving(&ray, &lane.interval)
-        };
-        if let Some(crossing) = crossing {
+        let interval = lane.interval;
+        if let Some(crossing) = ask(shape, index, lane, &interval) {
             lane.meet(index, crossing);
         }
     }
