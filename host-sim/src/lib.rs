@@ -9,6 +9,7 @@ pub mod compare;
 pub mod dither;
 pub mod images;
 pub mod memory;
+pub mod meshes;
 pub mod panel;
 pub mod picture;
 pub mod png;

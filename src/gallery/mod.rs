@@ -72,7 +72,9 @@ mod environment;
 mod first_light;
 mod glass;
 mod images;
+mod knot;
 mod material_table;
+mod meshes;
 mod mirror_levels;
 mod orthographic;
 mod playdate;
@@ -81,6 +83,7 @@ mod smooth;
 mod spots;
 mod stars;
 mod still_life;
+mod teapot;
 mod textured;
 mod three_spheres;
 mod tinyraytracer;
@@ -126,6 +129,7 @@ macro_rules! gallery_of {
             pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::glass::$module::VIEW as GLASS;
+            pub use super::knot::$module::VIEW as KNOT;
             pub use super::material_table::$module::VIEW as MATERIAL_TABLE;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
@@ -135,6 +139,7 @@ macro_rules! gallery_of {
             pub use super::spots::$module::VIEW as SPOTS;
             pub use super::stars::$module::VIEW as STARS;
             pub use super::still_life::$module::VIEW as STILL_LIFE;
+            pub use super::teapot::$module::VIEW as TEAPOT;
             pub use super::textured::$module::VIEW as TEXTURED;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
@@ -158,6 +163,8 @@ macro_rules! gallery_of {
                 STILL_LIFE,
                 SMOOTH,
                 Z_BUFFER,
+                TEAPOT,
+                KNOT,
                 TEXTURED,
                 BUMP,
                 DISPLACED,

@@ -3,7 +3,9 @@
 mod bounds;
 mod bvh;
 mod cube;
+mod indexed;
 
 pub use bounds::Bounds;
 pub use bvh::Bvh;
 pub use cube::Cube;
+pub use indexed::{Indexed, Packed};
