@@ -55,9 +55,7 @@ pub const SHOWS: [&str; 12] = [
 /// Names the ways in which a scene is drawn for the table: all of those for the peers' scenes.
 fn modes(scene: &str) -> &'static [&'static str] {
     match scene {
-        "three-spheres" => {
-            &["exact", "adaptive", "uniform", "jittered", "at-edges", "progressive", "raster"]
-        }
+        "three-spheres" => &["exact", "adaptive", "uniform", "jittered", "at-edges", "progressive", "raster"],
         "simple" => &["exact", "adaptive", "raster"],
         "z-buffer" => &["exact", "raster"],
         _ if SHOWS.contains(&scene) => &["exact"],
