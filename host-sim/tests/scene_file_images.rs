@@ -82,6 +82,30 @@ fn grey_images_are_grey_files_and_others_are_not() {
     assert_eq!(kind("colored.png", Bitmap::new(&COLORED)), ColorType::Rgb8);
 }
 
+/// Is three texels of a palette of red, blue and grey: the second, the first, the third.
+const PALETTE: &[u8] =
+    b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x03\x00\x00\x00\x01\x02\x03\x00\x00\x00f\
+    \x8e\xfc'\x00\x00\x00\x09PLTE\xff\x00\x00\x00\x80\xff\x09\x09\x09\x02\x00k\x8a\x00\x00\x00\x0aID\
+    ATx\x9cc\xf0\x00\x00\x00J\x00I\xa1\xe9\xc7\x97\x00\x00\x00\x00IEND\xaeB`\x82";
+
+/// Is three texels of one bit: black, white, black.
+const BITS: &[u8] =
+    b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x03\x00\x00\x00\x01\x01\x00\x00\x00\x003\
+    \x9b)\x19\x00\x00\x00\x0aIDATx\x9ccp\x00\x00\x00B\x00A)7\xf4\xef\x00\x00\x00\x00IEND\xaeB`\x82";
+
+#[test]
+fn levels_of_few_bits_and_colors_of_a_palette_are_spread_over_8_bits() {
+    let folder = tempfile::tempdir().unwrap();
+    let texels = |bytes: &[u8]| {
+        std::fs::write(folder.path().join("few.png"), bytes).unwrap();
+        let few = bitmap(folder.path(), "few.png");
+        assert_eq!(few.size(), [3, 1]);
+        [0, 1, 2].map(|column| few.texel([column, 0]))
+    };
+    assert_eq!(texels(PALETTE), [[0, 128, 255], [255, 0, 0], [9; 3]]);
+    assert_eq!(texels(BITS), [[0; 3], [255; 3], [0; 3]]);
+}
+
 #[test]
 fn a_file_named_twice_is_one_image_and_another_of_the_same_texels_is_not() {
     let folder = tempfile::tempdir().unwrap();

@@ -4,6 +4,7 @@
 //! PNG file holds: grey ones if red, green and blue agree in every texel, else all three. Levels of fewer
 //! bits, of `Rgb565` for one, are spread over 8 bits so that each comes back when it is rounded again.
 
+use crate::png::into_io;
 use image::codecs::png::PngDecoder;
 use image::{ColorType, ExtendedColorType, ImageDecoder, ImageError, ImageFormat, Limits};
 use scanray::{Bitmap, Texels};
@@ -143,11 +144,4 @@ pub fn write(path: &Path, bitmap: &Bitmap) -> io::Result<()> {
         (levels.into_flattened(), ExtendedColorType::Rgb8)
     };
     image::save_buffer_with_format(path, &bytes, columns, rows, kind, ImageFormat::Png).map_err(into_io)
-}
-
-fn into_io(error: ImageError) -> io::Error {
-    match error {
-        ImageError::IoError(error) => error,
-        other => io::Error::other(other),
-    }
 }
