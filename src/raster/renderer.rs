@@ -144,10 +144,7 @@ impl<'a, 'w, S: Scalar, const WIDTH: usize, X: Intersect<S>> RasterRenderer<'a, 
         row: &mut [P],
         observer: &mut impl Observer,
     ) -> Result<(), RowError> {
-        let width = self.size.width;
-        if row.len() != width as usize {
-            return Err(RowError::BufferLength { width, length: row.len() });
-        }
+        RowError::check_length(self.size.width, row.len())?;
         let slice = self.slice(y)?;
         row.iter_mut().zip(self.colors(y, &slice, observer)).for_each(|(place, color)| *place = color);
         Ok(())
