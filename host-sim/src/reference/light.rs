@@ -103,9 +103,10 @@ impl Description {
         let to_eye = -ray.direction.unit();
         let (lit_at, mut normal) = shape.lit(ray, point, part);
         if let Some(bump) = &material.bump {
-            let turned = bump.turned(outward, shape.derivatives(point, part), coordinates);
-            let turned = if outward.inner(normal) < 0.0 { -turned } else { turned };
-            normal = turned.turned_to(to_eye);
+            let side = outward.inner(normal).signum();
+            let smooth = normal * side;
+            let turned = bump.turned(smooth, shape.derivatives(point, part, smooth), coordinates);
+            normal = (turned * side).turned_to(to_eye);
         }
         let point = lit_at;
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
