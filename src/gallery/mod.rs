@@ -28,24 +28,24 @@ macro_rules! in_every_number {
         pub mod float {
             type S = f32;
             const fn n(value: f64) -> S { value as f32 }
-            $crate::gallery::with_helpers! { $($items)* }
+            $crate::gallery::with_makers! { $($items)* }
         }
         /// The scene in fixed point.
         pub mod fixed {
             type S = $crate::math::Fixed;
             const fn n(value: f64) -> S { S::new(value) }
-            $crate::gallery::with_helpers! { $($items)* }
+            $crate::gallery::with_makers! { $($items)* }
         }
         /// The scene in `f64`.
         pub mod double {
             type S = f64;
             const fn n(value: f64) -> S { value }
-            $crate::gallery::with_helpers! { $($items)* }
+            $crate::gallery::with_makers! { $($items)* }
         }
     };
 }
 
-macro_rules! with_helpers {
+macro_rules! with_makers {
     ($($items:tt)*) => {
         #[allow(unused_imports, reason = "no scene uses everything")]
         use $crate::{camera::*, brdf::CookTorrance, environment::*, gallery::View, glass::*, light::*, material::*,
@@ -61,7 +61,7 @@ macro_rules! with_helpers {
     };
 }
 
-use {in_every_number, with_helpers};
+use {in_every_number, with_makers};
 
 mod bump;
 mod business_card;
