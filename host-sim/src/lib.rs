@@ -8,6 +8,7 @@ pub mod compare;
 pub mod dither;
 pub mod images;
 pub mod memory;
+pub mod nff;
 pub mod panel;
 pub mod picture;
 pub mod png;

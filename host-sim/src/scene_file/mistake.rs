@@ -1,5 +1,6 @@
 //! What can be wrong with a scene file, where, and what was meant.
 
+use crate::nff::Wrong;
 use crate::suggest::nearest;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use scanray::RenderError;
@@ -41,6 +42,8 @@ pub enum Reason {
     TooMany(usize),
     /// The picture has a side of 0 or of more pixels than this.
     Size(u32),
+    /// It is not as the Neutral File Format has it.
+    Nff(Wrong),
     /// The core cannot draw it.
     Refused(RenderError),
 }
@@ -56,6 +59,7 @@ impl fmt::Display for Reason {
             Self::Paint => f.write_str("a material has either `color` or `texture`"),
             Self::TooMany(most) => write!(f, "there are more than {most} of them"),
             Self::Size(most) => write!(f, "a picture has 1 to {most} pixels along each side"),
+            Self::Nff(wrong) => wrong.fmt(f),
             Self::Refused(error) => error.fmt(f),
         }
     }
