@@ -66,11 +66,12 @@ fn draw<S: Rounded + Send + Sync>(
     if kind == Kind::Objects {
         description.materials.iter_mut().for_each(|(_, material)| material.model = Some(Model::Flat));
     }
-    let lists = description.lists::<S>();
+    // A view lasts as long as the program.
+    let lists: &'static _ = Box::leak(Box::new(description.lists::<S>()));
     let view = View {
         name: "",
         about: "",
-        scene: description.scene(&lists),
+        scene: description.scene(lists),
         camera: camera_in(&camera(description.camera.in_number())),
         settings: description.settings.in_number(),
         size: description.size,
