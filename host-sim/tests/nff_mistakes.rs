@@ -74,10 +74,10 @@ fn a_number_that_is_missing_or_none_is_shown_where_it_was_to_stand() {
 }
 
 #[test]
-fn a_number_of_corners_is_a_whole_one_from_3_to_65535() {
+fn a_number_of_corners_is_a_whole_one_from_3_to_16384() {
     assert_told("p 3\n-4", "p 3.5\n-4", "expected a whole number, found `3.5`", (16, "3.5"));
     assert_told("p 3\n-4", "p -3\n-4", "expected a whole number, found `-3`", (16, "-3"));
-    let title = "the number of corners is to be from 3 to 65535";
+    let title = "the number of corners is to be from 3 to 16384";
     assert_told("p 3\n-4", "p 2\n-4", title, (16, "p 2"));
     assert_told("pp 3", "pp 4294967295", title, (20, "pp 4294967295"));
     assert_told("pp 3", "pp 4294967296", "expected a whole number, found `4294967296`", (20, "4294967296"));
@@ -150,6 +150,18 @@ fn more_than_65535_shapes_are_refused_in_the_line_of_the_first_too_many() {
     let told = read(&(FILE.to_owned() + &"s 0 0 0 1\n".repeat(65_533))).expect_err("too many").to_string();
     assert!(told.starts_with("there are more than 65535 of them"), "{told}");
     assert!(told.contains(&format!("scene.nff:{line}:1")), "{told}");
+}
+
+#[test]
+fn the_mistake_is_told_as_the_manual_says() {
+    let manual = include_str!("../../docs/nff.md");
+    let block = |kind: &str| {
+        let (_, rest) = manual.split_once(&format!("\n```{kind}\n")).expect("the manual has an example");
+        rest.split("\n```").next().unwrap_or_default().to_owned()
+    };
+    let wrong = block("nff wrong").into_bytes();
+    let told = SceneFile::parse(Path::new("ball.nff"), wrong).expect_err("it is wrong").to_string();
+    assert_eq!(told, block("text"));
 }
 
 #[test]

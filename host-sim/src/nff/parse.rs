@@ -51,8 +51,9 @@ pub fn parse(text: &str) -> Result<(Scene, Places), Mistake> {
     Ok((scene, reader.places))
 }
 
-/// Is the most corners of a polygon: as many as a patch may have of which each triangle is an object.
-const MAX_CORNERS: u32 = MAX_COUNT as u32;
+/// Is the most corners of a polygon: an outline in disorder takes time as their square to be cut into triangles, a
+/// second for these.
+const MAX_CORNERS: u32 = 16_384;
 
 /// Reads entities and remembers where they stand.
 struct Reader<'a> {
@@ -184,7 +185,7 @@ impl Reader<'_> {
     /// Reads as many corners as the entity says it has; no room is made for them before they are there.
     fn corners<T>(&mut self, read: impl Fn(&mut Self) -> Result<T, Mistake>) -> Result<Vec<T>, Mistake> {
         let count = self.count()?;
-        self.demand((3..=MAX_CORNERS).contains(&count), "the number of corners", "from 3 to 65535")?;
+        self.demand((3..=MAX_CORNERS).contains(&count), "the number of corners", "from 3 to 16384")?;
         let mut corners = vec![];
         for _ in 0..count {
             corners.push(read(self)?);
