@@ -4,10 +4,10 @@
 //! *A Proposal for Standard Graphics Environments*, IEEE Computer Graphics and Applications 7(11), 1987).
 //! `docs/nff.md` says how each of its fields is understood. A text goes through three steps:
 //!
-//! - [`words`]: words between white space and comments, each with its place.
+//! - `words`: words between white space and comments, each with its place.
 //! - [`mod@parse`]: words to a [`scene`], which says what the file says and no more; [`wrong`]: what may be wrong.
 //! - [`mod@describe`]: that scene as the [`Description`] that scene files of RON become too, by way of
-//!   [`fill`], [`round`] and [`face`]; [`note`]: what of it is left out or drawn otherwise.
+//!   `fill`, `round` and `face`; [`note`]: what of it is left out or drawn otherwise.
 
 pub mod describe;
 mod face;
