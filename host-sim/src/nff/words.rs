@@ -84,6 +84,7 @@ mod tests {
         assert_eq!(words.peek(), words.clone().next());
         let word = words.next().expect("there is one");
         assert_eq!((word.text, word.place), ("pp", 6..8));
-        assert_eq!(words.next().map(|word| word.text), Some("3"));
+        assert_eq!(words.peek(), Some(Word { text: "3", place: 9..10 }));
+        assert_eq!(words.next().map(|word| word.place), Some(9..10));
     }
 }
