@@ -1,6 +1,6 @@
 //! What is chosen when the firmware is built: scene, number and mode.
 
-use scanray::{Adaptive, Exact, gallery::View, render::Quality};
+use scanray::{Adaptive, AtEdges, Exact, Jittered, Uniform, gallery::View, render::Quality};
 
 #[cfg(not(target_abi = "eabihf"))]
 use scanray::gallery::fixed as number;
@@ -26,37 +26,56 @@ pub const MODE: &str = match option_env!("SCANRAY_MODE") {
     None => "exact",
 };
 
-/// Is the mode as a type: an image holds the code of its own mode only.
-pub type Mode = <Is<{ is_adaptive() }> as Chosen>::Mode;
+/// Names the modes; their numbers are their places here.
+const MODES: [&str; 7] = ["exact", "adaptive", "uniform", "jittered", "at-edges", "raster", "progressive"];
 
-/// Stands for a yes or a no.
-pub struct Is<const YES: bool>;
+/// Is the mode's number.
+const NUMBER: usize = place(&MODES, MODE);
 
-/// Names the type that an answer stands for.
+/// Tells whether the z-buffer draws, not the tracer.
+pub const RASTER: bool = NUMBER == 5;
+
+/// Tells whether the picture becomes finer and finer.
+pub const PROGRESSIVE: bool = NUMBER == 6;
+
+/// Is the mode as a type: an image holds the code of its own mode only. Those of several rays a pixel take
+/// the 2x2 that are their default.
+pub type Mode = <Numbered<NUMBER> as Chosen>::Mode;
+
+/// Stands for a mode.
+pub struct Numbered<const NUMBER: usize>;
+
+/// Names the quality that a mode stands for.
 pub trait Chosen {
     /// Is that type.
     type Mode: Quality;
 }
 
-impl Chosen for Is<false> {
-    type Mode = Exact;
+macro_rules! chosen {
+    ($($number:literal => $mode:ty,)*) => {$(
+        impl Chosen for Numbered<$number> {
+            type Mode = $mode;
+        }
+    )*};
 }
 
-impl Chosen for Is<true> {
-    type Mode = Adaptive;
+chosen! {
+    0 => Exact,
+    1 => Adaptive,
+    2 => Uniform,
+    3 => Jittered,
+    4 => AtEdges<Uniform>,
+    5 => Exact,
+    6 => Exact,
 }
 
-const _: () = assert!(RASTER || is_mode(b"adaptive") || is_mode(b"exact"), "there is no such mode");
-
-const fn is_adaptive() -> bool {
-    is_mode(b"adaptive")
-}
-
-/// Tells whether the z-buffer draws, not the tracer.
-pub const RASTER: bool = is_mode(b"raster");
-
-const fn is_mode(name: &[u8]) -> bool {
-    same(MODE.as_bytes(), name)
+const fn place(names: &[&str], name: &str) -> usize {
+    let mut i = 0;
+    while !same(names[i].as_bytes(), name.as_bytes()) {
+        i += 1;
+        assert!(i < names.len(), "there is no such mode");
+    }
+    i
 }
 
 /// Is the scene with its camera and settings.

@@ -4,15 +4,18 @@ mod board;
 mod chosen;
 #[path = "../../boards/decimal.rs"]
 mod decimal;
+#[path = "../../boards/sink.rs"]
+mod sink;
 
 use core::{hint::black_box, panic::PanicInfo};
 
 use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
-use scanray::{RasterRenderer, RasterWorkspace, Renderer, RowError, Workspace};
+use scanray::{Exact, Progress, RasterRenderer, RasterWorkspace, Renderer, RowError, Workspace};
 
 use self::{
-    chosen::{DEPTH, HEIGHT, MODE, Mode, Number, RASTER, VIEW, WIDTH},
+    chosen::{DEPTH, HEIGHT, MODE, Mode, Number, PROGRESSIVE, RASTER, VIEW, WIDTH},
     decimal::Decimal,
+    sink::Sink,
 };
 
 /// Is a row in the bytes a display's bus wants.
@@ -20,6 +23,9 @@ type Row = [[u8; 2]; WIDTH as usize];
 
 /// Is the workspace; rows go to a buffer of ours, so the workspace needs no room for one.
 type Space = Workspace<Number, Rgb565, 0, DEPTH>;
+
+/// Is the workspace of a picture that becomes finer and finer, which is drawn on a panel.
+type PanelSpace = Workspace<Number, Rgb565, { WIDTH as usize }, DEPTH>;
 
 /// Is the z-buffer's row of depths.
 type RasterSpace = RasterWorkspace<Number, { WIDTH as usize }>;
@@ -42,34 +48,49 @@ fn fail(what: &str) -> ! {
     board::end(false)
 }
 
-/// Renders each `stride`th row and hands it to `use_row`.
+/// Renders each `stride`th row and hands its pixels to `take`.
 #[inline(never)]
-fn render(stride: u32, use_row: &mut dyn FnMut(&Row)) -> Result<(), &'static str> {
+fn render(stride: u32, take: &mut dyn FnMut(&[[u8; 2]])) -> Result<(), &'static str> {
     let size = Size::new(WIDTH, HEIGHT);
-    // The mode is a constant: only one of the two is in the image.
+    // The mode is a constant: only one of the three is in the image.
     if RASTER {
         let mut space = RasterSpace::new();
         let renderer = RasterRenderer::new(&VIEW.scene, &VIEW.camera, size, VIEW.settings, &mut space);
         let mut renderer = renderer.map_err(|_| "the z-buffer refuses the scene")?;
-        return render_rows(stride, |y, row| renderer.render_row(y, row), use_row);
+        return render_rows(stride, |y, row| renderer.render_row(y, row), take);
+    }
+    if PROGRESSIVE {
+        return refine(size, take);
     }
     let mut space = Space::new();
     let settings = VIEW.settings.with_quality(Mode::default());
     let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, &mut space)
         .map_err(|_| "the renderer refuses the scene")?;
-    render_rows(stride, |y, row| renderer.render_row(y, row), use_row)
+    render_rows(stride, |y, row| renderer.render_row(y, row), take)
 }
 
 fn render_rows(
     stride: u32,
     mut render_row: impl FnMut(u32, &mut Row) -> Result<(), RowError>,
-    use_row: &mut dyn FnMut(&Row),
+    take: &mut dyn FnMut(&[[u8; 2]]),
 ) -> Result<(), &'static str> {
     let mut row = [[0; 2]; WIDTH as usize];
     for y in (0..HEIGHT).step_by(stride as usize) {
         render_row(y, &mut row).map_err(|_| "the renderer refuses a row")?;
-        use_row(&row);
+        take(&row);
     }
+    Ok(())
+}
+
+/// Draws blocks of 16 pixels, then finer ones, all that a panel is sent.
+fn refine(size: Size, take: &mut dyn FnMut(&[[u8; 2]])) -> Result<(), &'static str> {
+    let mut space = PanelSpace::new();
+    let settings = VIEW.settings.with_quality(Exact);
+    let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, &mut space)
+        .map_err(|_| "the renderer refuses the scene")?;
+    let mut progress = Progress::new(16);
+    let mut sink = Sink::new(size, take);
+    while let Ok(true) = renderer.refine(&mut progress, &mut sink) {}
     Ok(())
 }
 

@@ -1,3 +1,4 @@
+use super::sink::Sink;
 use super::{Chip, Failure, SIZE};
 use crate::compare::{Comparison, Figures, Subject};
 use crate::panel::Panel;
@@ -6,11 +7,12 @@ use crate::raster;
 use crate::scenes::{Entry, HostNumber};
 use crate::shot::{Number, Refusal};
 use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::Rgb565;
 use scanray::gallery::View;
 use scanray::render::Quality;
 use scanray::{
-    Adaptive, Exact, Fixed, RasterRenderer, RasterWorkspace, RenderError, Renderer, RowError, Settings,
-    Workspace,
+    Adaptive, AtEdges, Exact, Fixed, Jittered, Progress, RasterRenderer, RasterWorkspace, RenderError,
+    Renderer, RowError, Settings, Uniform, Workspace,
 };
 
 /// Is a scene with the reference's picture of it.
@@ -47,7 +49,11 @@ impl Truth {
     fn judge_mode<S: HostNumber>(&self, chip: &Chip, mode: &str, view: &View<S>) -> Result<Judged, Failure> {
         match mode {
             "raster" => self.judge_rasterized(chip, view),
+            "progressive" => self.judge_refined(chip, view),
             "adaptive" => self.judge_in(chip, view, Adaptive),
+            "uniform" => self.judge_in(chip, view, Uniform::default()),
+            "jittered" => self.judge_in(chip, view, Jittered::default()),
+            "at-edges" => self.judge_in(chip, view, AtEdges::<Uniform>::default()),
             _ => self.judge_in(chip, view, Exact),
         }
     }
@@ -61,6 +67,22 @@ impl Truth {
         let renderer = RasterRenderer::new(&view.scene, &view.camera, size, view.settings, &mut space);
         let mut renderer = renderer.map_err(Refusal::from)?;
         Ok(Judged { checksum: checksum_of(|y, row| renderer.render_row(y, row)), figures })
+    }
+
+    /// Judges a picture that has become finer and finer: in the end it is the exact one.
+    fn judge_refined<S: HostNumber>(&self, chip: &Chip, view: &View<S>) -> Result<Judged, Failure> {
+        let Judged { figures, .. } = self.judge_in(chip, view, Exact)?;
+        let mut space = Workspace::<S, Rgb565, { SIZE[0] as usize }, MAX_DEPTH>::new();
+        let settings = view.settings.with_quality(Exact);
+        let size = Size::new(SIZE[0], SIZE[1]);
+        let renderer = Renderer::new(&view.scene, &view.camera, size, settings, &mut space);
+        let mut renderer = renderer.map_err(Refusal::from)?;
+        let mut sum = FNV_OFFSET;
+        let mut take = |sent: &[[u8; 2]]| sum = fnv(sum, sent);
+        let mut sink = Sink::new(size, &mut take);
+        let mut progress = Progress::new(16);
+        while let Ok(true) = renderer.refine(&mut progress, &mut sink) {}
+        Ok(Judged { checksum: sum, figures })
     }
 
     fn figures(&self, chip: &Chip, scene: &'static str, pixels: &[[u8; 3]]) -> Figures {
@@ -93,12 +115,20 @@ fn checksum<S: HostNumber>(view: &View<S>, settings: Settings<S, impl Quality>) 
 fn checksum_of(mut render_row: impl FnMut(u32, &mut [[u8; 2]]) -> Result<(), RowError>) -> u32 {
     let [width, height] = SIZE;
     let mut row = vec![[0; 2]; width as usize];
-    let mut sum = 0x811c_9dc5_u32;
+    let mut sum = FNV_OFFSET;
     for y in 0..height {
         // The row exists and has the picture's width.
         let _ = render_row(y, &mut row);
-        let take = |sum: u32, byte: &u8| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
-        sum = row.as_flattened().iter().fold(sum, take);
+        sum = fnv(sum, &row);
     }
     sum
+}
+
+/// Is where the 32-bit FNV-1a checksum begins.
+const FNV_OFFSET: u32 = 0x811c_9dc5;
+
+/// Takes more bytes into the checksum.
+fn fnv(sum: u32, sent: &[[u8; 2]]) -> u32 {
+    let take = |sum: u32, byte: &u8| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
+    sent.as_flattened().iter().fold(sum, take)
 }

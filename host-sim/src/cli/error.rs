@@ -17,6 +17,8 @@ pub enum Error {
     SceneFile(scene_file::Failure),
     /// A scene cannot be written as a file.
     Export(Unsayable),
+    /// A scene with images is to be written where no files can stand beside it.
+    ImagesToTerminal,
     /// The text of a scene file cannot be made.
     Text(ron::Error),
     /// A comparison names neither a scene nor all of them.
@@ -71,6 +73,10 @@ impl fmt::Display for Error {
             }
             Self::SceneFile(failure) => failure.fmt(f),
             Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),
+            Self::ImagesToTerminal => f.write_str(
+                "the scene has images, which are written beside its file, and a terminal has no room for them.\n\
+                 `-o FILE.ron` names a file.",
+            ),
             Self::Text(error) => write!(f, "the scene cannot be written: {error}."),
             Self::NothingToCompare => f.write_str(
                 "there is no scene to compare.\n\

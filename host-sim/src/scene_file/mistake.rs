@@ -1,5 +1,6 @@
 //! What can be wrong with a scene file, where, and what was meant.
 
+use super::png_file::Unreadable;
 use crate::nff::Wrong;
 use crate::suggest::nearest;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
@@ -42,6 +43,13 @@ pub enum Reason {
     TooMany(usize),
     /// The picture has a side of 0 or of more pixels than this.
     Size(u32),
+    /// An image cannot be read.
+    Image {
+        /// Where it was looked for.
+        path: PathBuf,
+        /// Why it cannot be read.
+        why: Unreadable,
+    },
     /// It is not as the Neutral File Format has it.
     Nff(Wrong),
     /// The core cannot draw it.
@@ -59,6 +67,7 @@ impl fmt::Display for Reason {
             Self::Paint => f.write_str("a material has either `color` or `texture`"),
             Self::TooMany(most) => write!(f, "there are more than {most} of them"),
             Self::Size(most) => write!(f, "a picture has 1 to {most} pixels along each side"),
+            Self::Image { path, why } => write!(f, "cannot read the image {}: {why}", path.display()),
             Self::Nff(wrong) => wrong.fmt(f),
             Self::Refused(error) => error.fmt(f),
         }
