@@ -10,6 +10,7 @@ pub mod dither;
 pub mod images;
 pub mod memory;
 pub mod meshes;
+pub mod nff;
 pub mod panel;
 pub mod picture;
 pub mod png;

@@ -57,7 +57,7 @@ pub fn read(path: &Path) -> Result<Entry, Failure> {
 
 /// Rounds the scene of a file to a number, to stay in memory.
 fn kept<S: HostNumber>(file: &'static SceneFile) -> &'static View<S> {
-    let description = file.description();
+    let description = file.drawn();
     let lists: &'static Lists<S> = Box::leak(Box::new(description.lists()));
     let (camera, settings) = (description.camera.in_number(), description.settings.in_number());
     let scene = description.scene(lists);

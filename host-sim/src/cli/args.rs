@@ -115,7 +115,7 @@ pub(super) struct ProgressiveArgs {
     scanray compare --all --samples 3 --adaptive-samples\n  \
     scanray compare c-ray --number fixed -o pictures")]
 pub(super) struct CompareArgs {
-    /// Scene to compare: one of the gallery, or a file FILE.ron
+    /// Scene to compare: one of the gallery, or a file FILE.ron or FILE.nff
     #[arg(value_name = "SCENE", conflicts_with = "all")]
     pub scene: Option<String>,
     /// Compare every scene of the gallery
@@ -225,10 +225,11 @@ pub(super) struct ListArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     scanray export simple\n  \
-    scanray export c-ray -o mine.ron\n\n\
+    scanray export c-ray -o mine.ron\n  \
+    scanray export scenes/nff/balls2.nff\n\n\
     docs/scene-format.md says what such a file may hold.")]
 pub(super) struct ExportArgs {
-    /// Scene of the gallery, or a file FILE.ron, which is then laid out anew
+    /// Scene of the gallery, or a file: FILE.ron is laid out anew, FILE.nff is translated
     #[arg(value_name = "SCENE")]
     pub scene: String,
     /// File to write the scene to, its images beside it as FILE-*.png; `-` writes a scene without images to

@@ -67,7 +67,9 @@ impl fmt::Display for Error {
                 if let Some(nearest) = scenes::nearest(name) {
                     write!(f, "; did you mean '{nearest}'?")?;
                 }
-                f.write_str("\n`scanray list` names them all; the name of a scene file ends in `.ron`.")
+                f.write_str(
+                    "\n`scanray list` names them all; the name of a scene file ends in `.ron` or `.nff`.",
+                )
             }
             Self::SceneFile(failure) => failure.fmt(f),
             Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),

@@ -1,19 +1,22 @@
 use super::Error;
 use super::rays::Rays;
 use crate::dither::Method;
+use crate::nff;
 use crate::panel::Panel;
 use crate::picture::{MAX_DEPTH, MAX_SIDE};
+use crate::scene_file::SceneFile;
 use crate::scenes;
 use crate::shot::{Approach, Number, Shot};
 use crate::turn::Turn;
 use clap::{Args, ValueEnum};
 use scanray::Transfer;
+use std::io::{self, Write};
 use std::path::Path;
 
 /// Is what a picture is to look like.
 #[derive(Debug, Args)]
 pub(super) struct Look {
-    /// Scene of the gallery, which `scanray list` names, or a file FILE.ron
+    /// Scene of the gallery, which `scanray list` names, or a file FILE.ron or FILE.nff
     #[arg(value_name = "SCENE", default_value = "simple")]
     pub scene: String,
     /// Number the picture is traced in
@@ -63,13 +66,25 @@ impl Look {
     }
 }
 
-/// Finds a scene: one of the gallery, or that of a file.
+/// Finds a scene: one of the gallery, or that of a file; says on stderr what of a file is not drawn as it says.
 pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
     match scenes::find(name) {
         Some(entry) => Ok(entry),
-        None if name.ends_with(".ron") => Ok(scenes::read(Path::new(name))?),
+        None if is_file(name) => {
+            let entry = scenes::read(Path::new(name))?;
+            for note in entry.file.map_or(&[][..], SceneFile::notes) {
+                // If nobody reads it, the picture is the same.
+                let _ = writeln!(io::stderr(), "{name}: {note}");
+            }
+            Ok(entry)
+        }
         None => Err(Error::UnknownScene(name.to_owned())),
     }
+}
+
+/// Tells whether a name is that of a scene file.
+fn is_file(name: &str) -> bool {
+    name.ends_with(".ron") || nff::is_named(Path::new(name))
 }
 
 /// Reads columns and rows.

@@ -6,6 +6,7 @@ use super::mistake::{Complaint, Mistake, Reason};
 use super::outline::Text;
 use super::place::{Part, Places};
 use super::read::parse;
+use crate::nff::{self, Note};
 use scanray::RenderError;
 use std::fmt;
 use std::fs::File;
@@ -23,6 +24,9 @@ pub struct SceneFile {
     text: String,
     places: Places,
     description: Description,
+    /// The same in other units, if the file asks for them.
+    drawn: Option<Description>,
+    notes: Vec<Note>,
 }
 
 /// Tells why a scene file cannot be read.
@@ -66,21 +70,23 @@ impl SceneFile {
     pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<Self, Box<Complaint>> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let path = path.to_owned();
-        let text = match text(bytes) {
+        let is_nff = nff::is_named(&path);
+        let text = match text(bytes, is_nff) {
             Ok(text) => text,
             Err(reason) => {
                 let mistake = Mistake { reason, place: None };
                 return Err(Box::new(Complaint { path, mistake, text: String::new() }));
             }
         };
-        let (mut description, places) = match parse(&text) {
+        let read = if is_nff { nff::read(&text) } else { parse(&text).map(nff::Read::from) };
+        let nff::Read { mut description, drawn, places, notes } = match read {
             Ok(read) => read,
             Err(mistake) => return Err(Box::new(Complaint { path, mistake, text })),
         };
         if let Err(missed) = album::read(&mut description, path.parent().unwrap_or(Path::new(""))) {
             return Err(Box::new(Complaint { path, mistake: mistake(missed, &text, &places), text }));
         }
-        let file = Self { path, name, text, places, description };
+        let file = Self { path, name, text, places, description, drawn, notes };
         match file.description.refusal() {
             Some(error) => Err(Box::new(file.explain(error))),
             None => Ok(file),
@@ -92,6 +98,16 @@ impl SceneFile {
         &self.description
     }
 
+    /// Answers what is drawn: the same, in other units if lengths of the file's would not suit every number.
+    pub fn drawn(&self) -> &Description {
+        self.drawn.as_ref().unwrap_or(&self.description)
+    }
+
+    /// Answers what of the file is left out or drawn otherwise.
+    pub fn notes(&self) -> &[Note] {
+        &self.notes
+    }
+
     /// Shows the line that an error of the core is about.
     pub fn explain(&self, error: RenderError) -> Complaint {
         let place = Part::of(&error).and_then(|part| self.places.get(&part).cloned());
@@ -99,7 +115,7 @@ impl SceneFile {
         Complaint { path: self.path.clone(), mistake, text: self.text.clone() }
     }
 
-    /// Answers the name of the scene: that of the file without `.ron`.
+    /// Answers the name of the scene: that of the file without its ending.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -112,9 +128,13 @@ fn mistake(missed: Missed, text: &str, places: &Places) -> Mistake {
     Mistake { reason: Reason::Image { path, why }, place }
 }
 
-fn text(bytes: Vec<u8>) -> Result<String, Reason> {
+/// Makes text of bytes. That of NFF is ASCII but for comments, which are in whatever letters their authors had.
+fn text(bytes: Vec<u8>, is_nff: bool) -> Result<String, Reason> {
     if bytes.len() as u64 > MAX_BYTES {
         return Err(Reason::TooLarge(MAX_BYTES));
+    }
+    if is_nff {
+        return Ok(String::from_utf8_lossy(&bytes).into_owned());
     }
     String::from_utf8(bytes).map_err(|error| Reason::NotText(error.utf8_error().valid_up_to()))
 }

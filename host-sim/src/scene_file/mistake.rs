@@ -1,6 +1,7 @@
 //! What can be wrong with a scene file, where, and what was meant.
 
 use super::png_file::Unreadable;
+use crate::nff::Wrong;
 use crate::suggest::nearest;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use scanray::RenderError;
@@ -49,6 +50,8 @@ pub enum Reason {
         /// Why it cannot be read.
         why: Unreadable,
     },
+    /// It is not as the Neutral File Format has it.
+    Nff(Wrong),
     /// The core cannot draw it.
     Refused(RenderError),
 }
@@ -65,6 +68,7 @@ impl fmt::Display for Reason {
             Self::TooMany(most) => write!(f, "there are more than {most} of them"),
             Self::Size(most) => write!(f, "a picture has 1 to {most} pixels along each side"),
             Self::Image { path, why } => write!(f, "cannot read the image {}: {why}", path.display()),
+            Self::Nff(wrong) => wrong.fmt(f),
             Self::Refused(error) => error.fmt(f),
         }
     }
