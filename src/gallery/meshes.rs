@@ -7,7 +7,7 @@ pub(super) struct Packed<const C: usize, const T: usize, const N: usize> {
     /// Lowest corner and sides of the box of the corners; lowest corner and side of the tree's lattice.
     pub measures: [f64; 10],
     pub steps: [[u16; 3]; C],
-    pub normals: [[i8; 2]; C],
+    pub normals: [[i16; 2]; C],
     pub triangles: [[u16; 3]; T],
     pub nodes: [BvhNode; N],
 }
@@ -31,11 +31,11 @@ const fn triples<const COUNT: usize>(bytes: &[u8], at: usize) -> [[u16; 3]; COUN
 }
 
 impl<const C: usize, const T: usize, const N: usize> Packed<C, T, N> {
-    /// Reads a file: counts, measures, corners, normals, triangles and nodes, little-endian. Counts other than those
-    /// asked for stop the compiler.
+    /// Reads a file: counts, measures, corners, normals, triangles and nodes, little-endian. A file of another
+    /// length stops the compiler.
     const fn read(bytes: &[u8]) -> Self {
         let (measures, steps) = (12, 12 + 80);
-        let (normals, triangles) = (steps + 6 * C, steps + 8 * C);
+        let (normals, triangles) = (steps + 6 * C, steps + 10 * C);
         let nodes = triangles + 6 * T;
         assert!(bytes.len() == nodes + 18 * N, "a mesh of other counts");
         let mut mesh = Self {
@@ -54,7 +54,8 @@ impl<const C: usize, const T: usize, const N: usize> Packed<C, T, N> {
         }
         let mut i = 0;
         while i < C {
-            mesh.normals[i] = [bytes[normals + 2 * i] as i8, bytes[normals + 2 * i + 1] as i8];
+            let at = normals + 4 * i;
+            mesh.normals[i] = [word(bytes, at) as i16, word(bytes, at + 2) as i16];
             i += 1;
         }
         let mut i = 0;
@@ -69,10 +70,31 @@ impl<const C: usize, const T: usize, const N: usize> Packed<C, T, N> {
     }
 }
 
-/// Is the Utah teapot.
-pub(super) static TEAPOT: Packed<530, 992, 1185> = Packed::read(include_bytes!("meshes/teapot.mesh"));
-/// Is a trefoil knot of more than ten thousand triangles.
-pub(super) static KNOT: Packed<5120, 10_240, 13_915> = Packed::read(include_bytes!("meshes/knot.mesh"));
+/// Answers the count at a place of a file's beginning: of corners, triangles or nodes.
+const fn count(bytes: &[u8], place: usize) -> usize {
+    word(bytes, 4 * place) as usize
+}
+
+/// Includes a file, under a name.
+macro_rules! packed {
+    ($(#[$about:meta])* $name:ident, $file:literal) => {
+        $(#[$about])*
+        pub(super) static $name: Packed<
+            { count(include_bytes!($file), 0) },
+            { count(include_bytes!($file), 1) },
+            { count(include_bytes!($file), 2) },
+        > = Packed::read(include_bytes!($file));
+    };
+}
+
+packed! {
+    /// Is the Utah teapot.
+    TEAPOT, "meshes/teapot.mesh"
+}
+packed! {
+    /// Is a trefoil knot of more than ten thousand triangles.
+    KNOT, "meshes/knot.mesh"
+}
 
 /// Defines the mesh `MESH` of packed data, in the number of the module.
 macro_rules! mesh {

@@ -30,7 +30,7 @@ fn bytes(mesh: &Packed) -> Vec<u8> {
     let mut bytes: Vec<u8> = counts.iter().flat_map(|count| (*count as u32).to_le_bytes()).collect();
     bytes.extend(measures.iter().flat_map(|value| value.to_le_bytes()));
     bytes.extend(mesh.steps.iter().flat_map(|steps| words(steps)));
-    bytes.extend(mesh.normals.as_flattened().iter().map(|step| *step as u8));
+    bytes.extend(mesh.normals.as_flattened().iter().flat_map(|step| step.to_le_bytes()));
     bytes.extend(mesh.triangles.iter().flat_map(|corners| words(corners)));
     bytes.extend(mesh.nodes.iter().flat_map(node));
     bytes

@@ -27,8 +27,8 @@ pub(super) enum Corners {
 pub(super) enum Normals {
     Flat,
     Exact(Vec<Vector>),
-    /// By points of an octahedron, unfolded to a square of 254 steps.
-    Octahedron(&'static [[i8; 2]]),
+    /// By points of an octahedron, unfolded to a square of 65534 steps.
+    Octahedron(&'static [[i16; 2]]),
 }
 
 impl Mesh {
@@ -64,7 +64,7 @@ impl Mesh {
             Normals::Flat => None,
             Normals::Exact(normals) => Some(normals[number]),
             Normals::Octahedron(points) => {
-                let [u, v] = points[number].map(|step| f64::from(step) / 127.0);
+                let [u, v] = points[number].map(|step| f64::from(step) / 32_767.0);
                 let z = 1.0 - u.abs() - v.abs();
                 // Below the equator the triangle of the square is mirrored at its edge.
                 let below = (-z).max(0.0);
