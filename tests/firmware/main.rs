@@ -5,6 +5,8 @@
 
 mod board;
 mod dealing;
+#[path = "../../examples/boards/models.rs"]
+mod models;
 #[path = "../../examples/boards/one_core.rs"]
 mod one_core;
 mod passes;
@@ -30,6 +32,7 @@ const RP2040: Board = Board { example: "rp2040_st7789", target: "thumbv6m-none-e
 const SPIN: Board = Board { example: "rp2040_spin", target: "thumbv6m-none-eabi" };
 const TWO_CORES: Board = Board { example: "rp2040_two_cores", target: "thumbv6m-none-eabi" };
 const PROGRESSIVE: Board = Board { example: "rp2040_progressive", target: "thumbv6m-none-eabi" };
+const MODELS: Board = Board { example: "rp2040_models", target: "thumbv6m-none-eabi" };
 const LM3S6965: Board = Board { example: "lm3s6965_oled", target: "thumbv7m-none-eabi" };
 const MPS2: Board = Board { example: "mps2_bench", target: "thumbv7em-none-eabihf" };
 
@@ -80,6 +83,21 @@ fn an_rp2040_shows_every_other_pass_as_the_host_and_ends_with_the_direct_picture
     }
     assert_same(&shown[2], picture::<Fixed, [u8; 2]>("three-spheres", 240, 240).as_flattened(), 2 * 240);
     table::add(&run, "three-spheres, 240x240, progressive", "instructions");
+}
+
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn an_rp2040_shows_models_of_many_triangles_out_of_2_mb_of_flash_and_8_kb_of_ram() {
+    let run = Run::of_frames(&MODELS, models::VIEWS.len());
+    for (number, view) in models::VIEWS.iter().enumerate() {
+        let shown = run.picture(&format!("rp2040_models-{number}.rgb565"));
+        let host = picture_of::<Fixed, [u8; 2]>(view, 240, 240);
+        assert_same(&shown, host.as_flattened(), 2 * 240);
+    }
+    let [flash, ram] = table::memory(&run);
+    assert!(flash <= 2 << 20, "{flash} bytes of flash");
+    assert!(ram <= 8 << 10, "{ram} bytes of RAM, the stack included");
+    table::add(&run, "teapot and knot, 240x240", "instructions");
 }
 
 /// Answers the first two pictures of a turning board, which are the host's.

@@ -35,6 +35,12 @@ pub fn add(run: &Run, picture: &str, instructions: &str) {
         .expect("no room for the table");
 }
 
+/// Answers the bytes that a run took of flash and of RAM, its stack at the deepest included.
+pub fn memory(run: &Run) -> [u64; 2] {
+    let size = Sizes::of(run);
+    [size.text + size.data, size.data + size.bss + run.count("stack")]
+}
+
 /// Prints the cycles of a frame: each part alone, both one after the other, and as they were, side by side.
 pub fn print_times(run: &Run) {
     let [tracing, transfer, frame] = ["tracing", "transfer", "frame"].map(|key| run.count(key));
