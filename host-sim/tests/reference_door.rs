@@ -7,21 +7,25 @@ use std::{fs, io};
 const DOOR: &str = "door.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 22] = [
+const DATA: [&str; 27] = [
     "Bitmap",
     "Bump",
     "Camera",
+    "Class",
     "Dither",
     "FillRule",
     "Filter",
     "Fresnel",
     "Glass",
+    "Gradient",
+    "Grid",
     "Image",
     "Light",
     "Material",
     "Model",
     "Object",
     "Projection",
+    "Reconstruction",
     "Relief",
     "Rgb",
     "Scene",
@@ -30,12 +34,14 @@ const DATA: [&str; 22] = [
     "Sky",
     "Texture",
     "Transfer",
+    "Volume",
 ];
 const ALSO_DATA: &str = "Vec3";
 
 /// Lists the methods the door may call: those of slices, options and iterators, and those of an image
-/// that read its texels out.
-const METHODS: [&str; 9] = ["as_ref", "collect", "get", "iter", "map", "ok_or", "size", "texel", "transpose"];
+/// or a grid that read its texels or voxels out.
+const METHODS: [&str; 11] =
+    ["as_ref", "collect", "get", "iter", "map", "ok_or", "sides", "size", "texel", "transpose", "value"];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this
 /// test.

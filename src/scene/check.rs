@@ -6,6 +6,7 @@ use crate::material::Material;
 use crate::math::Scalar;
 use crate::shape::{Cuboid, Intersect, Shape};
 use crate::texture::Bitmap;
+use crate::volume::Volume;
 use core::fmt;
 
 /// Names the thing of a scene that is wrong, by its place in its list, and the fault.
@@ -22,6 +23,8 @@ pub enum SceneError {
     Sky(Fault),
     /// The ambient light.
     Ambient(Fault),
+    /// The volume.
+    Volume(Fault),
 }
 
 impl fmt::Display for SceneError {
@@ -32,6 +35,7 @@ impl fmt::Display for SceneError {
             Self::Light(index, fault) => write!(f, "light {index}: {fault}"),
             Self::Sky(fault) => write!(f, "sky: {fault}"),
             Self::Ambient(fault) => write!(f, "ambient light: {fault}"),
+            Self::Volume(fault) => write!(f, "volume: {fault}"),
         }
     }
 }
@@ -58,6 +62,7 @@ fn has_inside<S: Scalar, X>(shape: &Shape<S, X>) -> bool {
         Shape::Triangle(_) | Shape::Polygon(_) | Shape::SmoothTriangle(_) => false,
         Shape::Cuboid(Cuboid { low, high }) => low.x < high.x && low.y < high.y && low.z < high.z,
         Shape::Cone(cone) => cone.capped,
+        Shape::Isosurface(surface) => surface.is_closed(),
         // On the far side of a plane there is no end of it.
         Shape::Plane(_) | Shape::Sphere(_) | Shape::Displaced(_) | Shape::Custom(_) => true,
     }
@@ -118,6 +123,7 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
         each(self.materials, SceneError::Material, Material::check)?;
         each(self.lights, SceneError::Light, check_light)?;
         check_sky(&self.sky).map_err(SceneError::Sky)?;
-        in_range(self.ambient.in_range()).map_err(SceneError::Ambient)
+        in_range(self.ambient.in_range()).map_err(SceneError::Ambient)?;
+        self.volume.map_or(Ok(()), Volume::check).map_err(SceneError::Volume)
     }
 }

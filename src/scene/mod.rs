@@ -13,6 +13,7 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::math::Scalar;
 use crate::shape::Shape;
+use crate::volume::Volume;
 use core::convert::Infallible;
 
 /// Is a shape with its material's place in the scene's list.
@@ -47,6 +48,8 @@ pub struct Scene<'a, S: 'static = f32, X = Infallible> {
     pub sky: Sky<S>,
     /// Light that reaches every surface from everywhere.
     pub ambient: Rgb<S>,
+    /// What rays from the eye see through on their way, if anything.
+    pub volume: Option<&'a Volume<S>>,
 }
 
 // Derived, these would ask the user's shape to be `Copy`, though the scene only borrows it.
@@ -65,7 +68,7 @@ impl<'a, S: Scalar, X> Scene<'a, S, X> {
         materials: &'a [Material<S>],
         lights: &'a [Light<S>],
     ) -> Self {
-        Self { objects, materials, lights, sky: Sky::Solid(Rgb::BLACK), ambient: Rgb::BLACK }
+        Self { objects, materials, lights, sky: Sky::Solid(Rgb::BLACK), ambient: Rgb::BLACK, volume: None }
     }
 
     /// Sets the sky.
@@ -77,6 +80,12 @@ impl<'a, S: Scalar, X> Scene<'a, S, X> {
     /// Sets the ambient light.
     pub const fn with_ambient(mut self, ambient: Rgb<S>) -> Self {
         self.ambient = ambient;
+        self
+    }
+
+    /// Adds a volume.
+    pub const fn with_volume(mut self, volume: &'a Volume<S>) -> Self {
+        self.volume = Some(volume);
         self
     }
 }

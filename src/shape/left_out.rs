@@ -4,8 +4,9 @@ use crate::hit::{Crossing, Surface};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 
-/// Stands for a shape whose code this program was built without: a scene that has one is refused.
-pub(crate) struct LeftOut;
+/// Stands for a shape whose code this program was built without, named by the feature: a scene that has one is
+/// refused.
+pub(crate) struct LeftOut(pub &'static str);
 
 impl<S: Scalar> Intersect<S> for LeftOut {
     fn intersect(&self, _: &Ray<S>, _: &Interval<S>) -> Option<Crossing<S>> {
@@ -17,6 +18,6 @@ impl<S: Scalar> Intersect<S> for LeftOut {
     }
 
     fn check(&self) -> Result<(), Fault> {
-        Err(Fault::LeftOut("shapes"))
+        Err(Fault::LeftOut(self.0))
     }
 }

@@ -5,9 +5,11 @@
 
 mod called;
 mod cone;
+mod cubic;
 mod cuboid;
 mod displaced;
-#[cfg(not(feature = "shapes"))]
+mod isosurface;
+#[cfg(not(all(feature = "shapes", feature = "volumes")))]
 mod left_out;
 mod march;
 mod plane;
@@ -19,7 +21,8 @@ mod triangle;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use displaced::Displaced;
-#[cfg(not(feature = "shapes"))]
+pub use isosurface::Isosurface;
+#[cfg(not(all(feature = "shapes", feature = "volumes")))]
 pub(crate) use left_out::LeftOut;
 pub use plane::Plane;
 pub use polygon::{FillRule, Polygon};
@@ -112,6 +115,8 @@ pub enum Shape<S: 'static = f32, X = Infallible> {
     SmoothTriangle(SmoothTriangle<S>),
     /// A ball with a relief.
     Displaced(Displaced<S>),
+    /// The surface in a sampled field.
+    Isosurface(Isosurface<S>),
     /// The user's own shape.
     Custom(X),
 }
@@ -137,7 +142,14 @@ macro_rules! dispatch {
             | $crate::shape::Shape::Cone(_)
             | $crate::shape::Shape::SmoothTriangle(_)
             | $crate::shape::Shape::Displaced(_) => {
-                let $inner = &$crate::shape::LeftOut;
+                let $inner = &$crate::shape::LeftOut("shapes");
+                $call
+            }
+            #[cfg(feature = "volumes")]
+            $crate::shape::Shape::Isosurface($inner) => $call,
+            #[cfg(not(feature = "volumes"))]
+            $crate::shape::Shape::Isosurface(_) => {
+                let $inner = &$crate::shape::LeftOut("volumes");
                 $call
             }
             $crate::shape::Shape::Custom($inner) => $call,

@@ -180,8 +180,8 @@ impl Shape {
                 let [a, b, c] = s.vertices.each_ref().map(Vertex::of);
                 Self::SmoothTriangle { a, b, c }
             }
-            // Its relief is an image, and files hold none.
-            scanray::Shape::Displaced(_) => return None,
+            // The relief of one is an image and the grid of the other voxels, and files hold neither.
+            scanray::Shape::Displaced(_) | scanray::Shape::Isosurface(_) => return None,
             scanray::Shape::Custom(none) => match *none {},
         })
     }
