@@ -43,6 +43,8 @@ pub enum Fault {
     Spacing,
     /// A table of classes is empty, or its values do not rise.
     Classes,
+    /// A volume takes no samples of a cell.
+    Samples,
     /// Its material is glass, and the shape has no inside.
     NotClosed,
     /// It needs code that this program was built without: the cargo feature of this name.
@@ -84,6 +86,7 @@ impl fmt::Display for Fault {
             ),
             Self::Spacing => f.write_str("its voxels are closer together than 1/1024"),
             Self::Classes => f.write_str("its classes are none or not in the order of their values"),
+            Self::Samples => f.write_str("it takes no samples of a cell"),
             Self::NotClosed => f.write_str("it is of glass and has no inside: it is flat or open"),
             Self::LeftOut(feature) => {
                 write!(f, "it needs the feature `{feature}`, which this program was built without")

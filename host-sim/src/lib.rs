@@ -23,3 +23,4 @@ pub mod show;
 pub mod suggest;
 pub mod terminal;
 pub mod turn;
+pub mod walks;

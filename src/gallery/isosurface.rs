@@ -3,9 +3,9 @@
 super::in_every_number! {
     use crate::gallery::head::HEAD;
 
-    static HEAD_GRID: Grid<S> = Grid::new(HEAD, v(-0.846, -0.8, -0.98), v(0.036, 0.0365, 0.0365));
+    static HEAD_GRID: Grid<S> = Grid::new(HEAD, v(-0.846, -1.14, -0.98), v(0.036, 0.0365, 0.0365));
     static OBJECTS: [Object<S>; 2] = [
-        Object::new(Shape::Isosurface(Isosurface::new(&HEAD_GRID, n(182.5))), 0),
+        Object::new(Shape::Isosurface(Isosurface::new(&HEAD_GRID, n(175.0))), 0),
         Object::new(Shape::Plane(Plane::new(v(0.0, -0.8, 0.0), v(0.0, 1.0, 0.0))), 1),
     ];
     static MATERIALS: [Material<S>; 2] = [
@@ -24,7 +24,7 @@ super::in_every_number! {
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.15))
             .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.3, 0.3, 0.35), zenith: rgb(0.02, 0.03, 0.06) }),
-        camera: Camera::perspective(v(-2.2, 0.7, 4.4), v(0.0, -0.05, 0.0), v(0.0, 1.0, 0.0), n(32.0)),
+        camera: Camera::perspective(v(-2.1, 0.55, 4.2), v(0.05, -0.14, 0.0), v(0.0, 1.0, 0.0), n(26.0)),
         settings: Settings::new().with_depth(1),
         size: [240, 240],
     };

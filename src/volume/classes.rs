@@ -29,11 +29,11 @@ impl<S: Scalar> Class<S> {
         let red = Rgb::new(S::ONE, S::ZERO, S::ZERO);
         [
             Self::new(40, yellow, 0),
-            Self::new(70, yellow, 10),
-            Self::new(90, yellow, 10),
-            Self::new(120, red, 40),
-            Self::new(150, red, 40),
-            Self::new(190, Rgb::WHITE, 255),
+            Self::new(70, yellow, 24),
+            Self::new(90, yellow, 24),
+            Self::new(120, red, 60),
+            Self::new(150, red, 60),
+            Self::new(220, Rgb::WHITE, 255),
             Self::new(255, Rgb::WHITE, 255),
         ]
     };
@@ -104,10 +104,10 @@ mod tests {
                 assert!(seen.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-4), "{value}: {seen:?}");
             };
             near(0.0, [1.0, 1.0, 0.0, 0.0]);
-            near(80.0, [1.0, 1.0, 0.0, 10.0]);
-            near(105.0, [1.0, 0.5, 0.0, 25.0]);
-            near(135.0, [1.0, 0.0, 0.0, 40.0]);
-            near(170.0, [1.0, 0.5, 0.5, 147.5]);
+            near(80.0, [1.0, 1.0, 0.0, 24.0]);
+            near(105.0, [1.0, 0.5, 0.0, 42.0]);
+            near(135.0, [1.0, 0.0, 0.0, 60.0]);
+            near(185.0, [1.0, 0.5, 0.5, 157.5]);
             near(255.0, [1.0, 1.0, 1.0, 255.0]);
         }
         check(|x| x as f32, f64::from);

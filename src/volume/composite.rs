@@ -56,9 +56,11 @@ impl<S: Scalar> Volume<S> {
             if self.is_clear(&mut block, piece.cell) {
                 continue;
             }
-            self.sample(&course, &piece, ray, lights, ambient, &mut veil);
-            if veil.transparency <= self.faintest {
-                break;
+            for part in piece.divided(self.samples) {
+                self.sample(&course, &part, ray, lights, ambient, &mut veil);
+                if veil.transparency <= self.faintest {
+                    return veil;
+                }
             }
         }
         veil
@@ -74,7 +76,7 @@ impl<S: Scalar> Volume<S> {
         block.clear
     }
 
-    /// Lays the piece of a ray in one cell behind what there is: by its middle, as deep as it is long.
+    /// Lays a piece of a ray behind what there is: by its middle, as deep as it is long.
     fn sample(
         &self,
         course: &Course<S>,

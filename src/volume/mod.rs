@@ -49,7 +49,8 @@ impl Reconstruction {
 /// Is a body of which every point sends light and dims what is behind it: a sampled field with the classes that say
 /// what its values look like (Levoy 1988, "Display of Surfaces from Volume Data"; rows V1, V2, V4 to V6).
 ///
-/// A ray is cut at the planes between cells. The piece in a cell is sampled in its middle and has the opacity
+/// A ray is cut at the planes between cells. The piece in a cell, or each of several equal parts of it, is sampled in
+/// its middle and has the opacity
 /// `1 - exp(-density (opacity / 255) length)` of its length: a homogeneous body is as opaque whatever its voxels
 /// and however a ray cuts them. What the sample sends is `C = Camb + sum of Clight (N.L)`, both times its colour,
 /// where N looks toward lower values and nothing stands in the light; where the field is level there is no N, and
@@ -58,7 +59,6 @@ impl Reconstruction {
 /// Rays from the eye see it, and what they meet behind it through it. Shadow rays, mirrors and glass see surfaces
 /// only: for those there is the [`Isosurface`](crate::Isosurface).
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct Volume<S: 'static = f32> {
     /// The field.
     pub grid: Grid<S>,
@@ -68,6 +68,8 @@ pub struct Volume<S: 'static = f32> {
     pub density: S,
     /// How the value between voxels is found.
     pub reconstruction: Reconstruction,
+    /// How many samples the piece of a ray in one cell takes, at least 1.
+    pub samples: u8,
     /// How normals are found.
     pub gradient: Gradient,
     /// Transparency at which a ray ends. What is left out changes a channel by no more than this share of the
@@ -76,16 +78,23 @@ pub struct Volume<S: 'static = f32> {
 }
 
 impl<S: Scalar> Volume<S> {
-    /// Makes a volume, trilinear, with normals by central differences; rays end where 1/8192 of the light comes
+    /// Makes a volume, trilinear, sampled once a cell, with normals by central differences; rays end where 1/8192 of the light comes
     /// through, less than half the darkest step of 8 bits.
     pub const fn new(grid: Grid<S>, classes: &'static [Class<S>], density: S) -> Self {
         let (reconstruction, gradient) = (Reconstruction::Trilinear, Gradient::Second);
-        Self { grid, classes, density, reconstruction, gradient, faintest: S::SLACK }
+        Self { grid, classes, density, reconstruction, samples: 1, gradient, faintest: S::SLACK }
     }
 
     /// Sets how the value between voxels is found.
     pub const fn with_reconstruction(mut self, reconstruction: Reconstruction) -> Self {
         self.reconstruction = reconstruction;
+        self
+    }
+
+    /// Sets how many samples the piece of a ray in one cell takes: where opacity rises steeply with the value, one
+    /// leaves a grain of the cells' size.
+    pub const fn with_samples(mut self, samples: u8) -> Self {
+        self.samples = samples;
         self
     }
 
@@ -104,7 +113,7 @@ impl<S: Scalar> Volume<S> {
     /// Tells what is wrong with the volume, if anything.
     ///
     /// # Errors
-    /// What is wrong with its grid or its classes, a density or a transparency out of range, or that this program
+    /// What is wrong with its grid or its classes, no samples, a density or a transparency out of range, or that this program
     /// was built without volumes.
     pub fn check(&self) -> Result<(), Fault> {
         if !cfg!(feature = "volumes") {
@@ -113,6 +122,9 @@ impl<S: Scalar> Volume<S> {
         self.grid.check()?;
         classes::check(self.classes)?;
         let share = self.faintest >= S::ZERO && self.faintest <= S::ONE;
+        if self.samples == 0 {
+            return Err(Fault::Samples);
+        }
         if self.density >= S::ZERO && self.density.in_range() && share {
             Ok(())
         } else {

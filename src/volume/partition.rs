@@ -45,6 +45,19 @@ struct Axis<S> {
     step: S,
 }
 
+impl<S: Scalar> Piece<S> {
+    /// Divides the piece into so many equal ones.
+    pub fn divided(self, count: u8) -> impl Iterator<Item = Self> {
+        let step = (self.to - self.from).ratio(S::from_i32(i32::from(count)));
+        let end = move |n: u8| self.from.add_product(step, S::from_i32(i32::from(n)));
+        (1..=count).map(move |n| Self {
+            from: end(n - 1),
+            to: if n == count { self.to } else { end(n) },
+            ..self
+        })
+    }
+}
+
 impl<S: Scalar> Course<S> {
     /// Finds where a ray is in a grid and in an interval; `None` where it is not.
     pub fn of(grid: &Grid<S>, ray: &Ray<S>, interval: &Interval<S>) -> Option<Self> {

@@ -52,13 +52,18 @@ fn skin(p: Point) -> f64 {
 fn bone(p: Point) -> f64 {
     let q = folded(p);
     let cranium = ellipsoid(p, [0.0, 0.27, -0.12], [0.59, 0.63, 0.71]);
-    let brain = ellipsoid(p, [0.0, 0.27, -0.12], [0.51, 0.55, 0.63]);
+    let brain = ellipsoid(p, [0.0, 0.27, -0.12], [0.49, 0.53, 0.61]);
     let brow = ellipsoid(q, [0.20, 0.16, 0.48], [0.24, 0.09, 0.16]);
-    let cheek = ellipsoid(q, [0.36, -0.13, 0.36], [0.11, 0.09, 0.24]);
+    let cheek = ellipsoid(q, [0.30, -0.12, 0.40], [0.15, 0.10, 0.16]).min(ellipsoid(
+        q,
+        [0.44, -0.09, 0.22],
+        [0.06, 0.07, 0.26],
+    ));
     let upper_jaw = ellipsoid(p, [0.0, -0.25, 0.40], [0.27, 0.25, 0.27]);
     let eye = ellipsoid(q, [0.20, 0.02, 0.60], [0.145, 0.125, 0.26]);
+    let orbit = ellipsoid(q, [0.20, 0.02, 0.56], [0.20, 0.18, 0.30]).max(p[2] - 0.60);
     let nose = ellipsoid(q, [0.035, -0.17, 0.66], [0.065, 0.13, 0.17]);
-    let face = brow.min(upper_jaw).min(cheek).max(-eye).max(-nose);
+    let face = brow.min(upper_jaw).min(cheek).min(orbit).max(-eye).max(-nose);
     let skull = cranium.max(-eye).max(-brain);
     skull.min(face).min(jaw(q)).min(teeth(p)).min(spine(p))
 }
@@ -73,23 +78,18 @@ fn jaw(q: Point) -> f64 {
 
 /// Answers about how far a point lies outside two rows of teeth.
 fn teeth(p: Point) -> f64 {
-    let ring = ((p[0] / 0.235).hypot((p[2] - 0.33) / 0.28) - 1.0) * 0.25;
-    let angle = p[0].atan2(p[2] - 0.33);
-    let crown = 0.045 - 0.016 * (angle * 11.0).cos().powi(8);
-    let row = |y: f64, half: f64| (p[1] - y).abs() - half;
-    let front = 0.30 - p[2];
-    ring.abs().max(-1.0) - crown + row(-0.475, 0.055).max(front).max(0.0) * 2.0 - 0.6 * gap(p[1])
+    let (forward, up) = (p[2] - 0.33, (p[1] + 0.475).abs());
+    let arch = ((p[0] / 0.235).hypot(forward / 0.28) - 1.0).abs() * 0.25;
+    // Thinner between neighbours, and where the rows meet.
+    let groove = 0.025 * (p[0].atan2(forward) * 5.5).cos().powi(8);
+    let thickness = 0.05 - groove - (0.03 - up).max(0.0);
+    (arch - thickness).max(up - 0.07).max(-forward)
 }
 
-/// Answers how much is missing between the upper and the lower teeth.
-fn gap(y: f64) -> f64 {
-    -(0.03 - (y + 0.475).abs()).max(0.0)
-}
-
-/// Answers about how far a point lies outside the spine.
+/// Answers about how far a point lies outside the spine: a column with a joint every fifth of a unit.
 fn spine(p: Point) -> f64 {
-    let wave = 0.02 * (p[1] * 30.0).sin();
-    (p[0].hypot(p[2] + 0.16) - 0.105 - wave).max(p[1] + 0.35).max(-0.95 - p[1])
+    let waist = 0.02 * (p[1] * 30.0).sin();
+    (p[0].hypot(p[2] + 0.16) - 0.105 - waist).max(p[1] + 0.35).max(-0.73 - p[1])
 }
 
 fn tissue(p: Point) -> f64 {
@@ -108,7 +108,9 @@ fn tissue(p: Point) -> f64 {
 /// Computes the voxels: each the mean of the tissues around it, as a scanner sees them.
 pub(super) fn voxels() -> Vec<u8> {
     const PARTS: u32 = 4;
-    let offset = |i: u32| (f64::from(i) + 0.5) / f64::from(PARTS) * 1.5 - 0.75;
+    /// Is how many voxels a mean is taken over along each axis.
+    const WIDTH: f64 = 2.4;
+    let offset = |i: u32| (f64::from(i) + 0.5) / f64::from(PARTS) * WIDTH - WIDTH / 2.0;
     let mean = |voxel: [u16; 3]| {
         let part = |n: u32| {
             let parts = [n % PARTS, n / PARTS % PARTS, n / PARTS / PARTS];

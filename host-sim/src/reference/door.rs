@@ -72,6 +72,7 @@ fn volume(volume: &scanray::Volume<f64>) -> Volume {
         classes: volume.classes.iter().map(class).collect(),
         density: volume.density,
         nearest,
+        samples: u32::from(volume.samples),
         faintest: volume.faintest,
     }
 }

@@ -12,6 +12,8 @@ pub(super) struct Volume {
     pub density: f64,
     /// Whether the value is that of the nearest node.
     pub nearest: bool,
+    /// Number of samples of each piece.
+    pub samples: u32,
     /// The transparency at which a ray ends.
     pub faintest: f64,
 }
@@ -47,13 +49,17 @@ impl Volume {
         lights: &[Light],
         ambient: Vector,
     ) -> Vector {
-        let cut = |piece: Piece| {
+        let cut = |piece: &Piece| {
             let (from, to) = (piece.from.max(span[0]), piece.to.min(span[1]));
-            (from < to).then_some(Piece { from, to, ..piece })
+            (from < to).then_some(Piece { from, to, ..*piece })
+        };
+        let divided = |Piece { cell, from, to }: Piece| {
+            let end = move |n: u32| from + (to - from) * f64::from(n) / f64::from(self.samples);
+            (0..self.samples).map(move |n| Piece { cell, from: end(n), to: end(n + 1) })
         };
         let mut left = 1.0;
         let mut samples = vec![];
-        for piece in self.field.pieces(ray).into_iter().filter_map(cut) {
+        for piece in self.field.pieces(ray).iter().filter_map(cut).flat_map(divided) {
             if left <= self.faintest {
                 break;
             }
