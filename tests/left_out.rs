@@ -3,7 +3,8 @@
 mod support;
 
 use scanray::{
-    Cone, Fault, Glass, Light, Material, Model, Object, Rgb, Scene, SceneError, Shape, Sphere, Vec3,
+    Class, Cone, Fault, Glass, Grid, Isosurface, Light, Material, Model, Object, Rgb, Scene, SceneError,
+    Shape, Sphere, Vec3, Volume, Voxels,
 };
 use support::v;
 
@@ -33,6 +34,21 @@ fn a_scene_that_needs_what_was_left_out_is_refused_by_the_name_of_the_feature() 
     assert_carried("glass", cfg!(feature = "glass"), BALL, glass, SceneError::Material);
     let blinn = plain.with_model(Model::BlinnPhong);
     assert_carried("models", cfg!(feature = "models"), BALL, blinn, SceneError::Material);
+}
+
+/// Is one cell, from air to bone.
+static CELL: Grid =
+    Grid::new(Voxels::new([2; 3], &[0, 255, 0, 255, 0, 255, 0, 255]), Vec3::ZERO, Vec3::new(1.0, 1.0, 1.0));
+
+#[test]
+fn a_volume_and_a_surface_in_one_are_refused_by_the_name_of_theirs() {
+    let carried = cfg!(feature = "volumes");
+    let surface = Shape::Isosurface(Isosurface::new(&CELL, 127.0));
+    assert_carried("volumes", carried, surface, Material::matte(Rgb::WHITE), SceneError::Object);
+    let volume = Volume::new(CELL, &Class::TISSUES, 1.0);
+    let said = Scene::<f32>::new(&[], &[], &[]).with_volume(&volume).check();
+    let ought = if carried { Ok(()) } else { Err(SceneError::Volume(Fault::LeftOut("volumes"))) };
+    assert_eq!(said, ought);
 }
 
 #[test]

@@ -151,7 +151,9 @@ fn check<S: Gallery>() {
                 check_objects(view, &traced, &rasterized);
                 check_light(view, &traced, &rasterized);
             }
-            Err(RenderError::Scene(SceneError::Object(_, Fault::NotRasterized))) => {}
+            Err(RenderError::Scene(
+                SceneError::Object(_, Fault::NotRasterized) | SceneError::Volume(Fault::NotRasterized),
+            )) => {}
             Err(error) => panic!("{}: {error}", view.name),
         }
     }

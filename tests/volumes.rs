@@ -196,6 +196,7 @@ fn what_is_wrong_with_a_volume_is_named() {
     assert_eq!(check(Volume { classes: &[], ..good }), faulty(Fault::Classes));
     assert_eq!(check(Volume { density: -1.0, ..good }), faulty(Fault::OutOfRange));
     assert_eq!(check(good.with_faintest(1.5)), faulty(Fault::OutOfRange));
+    assert_eq!(check(good.with_samples(0)), faulty(Fault::Samples));
     let grid = cube(&kit, &LEVEL, 8);
     assert_eq!(check(Volume { grid, ..good }), faulty(Fault::Voxels));
 }

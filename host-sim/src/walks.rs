@@ -8,13 +8,13 @@ use embedded_graphics::primitives::{Line, PrimitiveStyle, Triangle};
 use scanray::volume::walks::{Bresenham, Cell, Cohen, Tripod};
 
 /// Is the columns and rows of one walk's picture.
-const PANEL: [u32; 2] = [350, 330];
+const PANEL: [u32; 2] = [350, 260];
 
 /// Is the cells that the walks lead between.
-const ENDS: [Cell; 2] = [[0, 0, 0], [9, 4, 6]];
+const ENDS: [Cell; 2] = [[0, 0, 5], [11, 4, 0]];
 
 /// Is the points between which the tripod goes, in 256ths of a cell: in the same cells, off their middles.
-const POINTS: [[i32; 3]; 2] = [[60, 230, 20], [9 * 256 + 30, 4 * 256 + 20, 6 * 256 + 240]];
+const POINTS: [[i32; 3]; 2] = [[60, 230, 5 * 256 + 20], [11 * 256 + 30, 4 * 256 + 20, 240]];
 
 /// Is a point in space, in cells.
 type Place = [f64; 3];
@@ -29,7 +29,7 @@ struct Walk {
 /// Draws the three walks side by side.
 pub fn sheet() -> Picture {
     let walks = walks();
-    let mut page = Picture::filled([PANEL[0] * walks.len() as u32, PANEL[1]], [250; 3].map(|c: u8| c / 8));
+    let mut page = Picture::filled([PANEL[0] * walks.len() as u32, PANEL[1]], [0; 3]);
     for (place, walk) in (0..).zip(&walks) {
         page.paste(&walk.picture(), [place * PANEL[0], 0]);
     }
@@ -87,12 +87,12 @@ fn left_out(cells: &[Cell]) -> Vec<Cell> {
 fn on_paper([x, y, z]: Place) -> Point {
     const SCALE: f64 = 19.0;
     let (across, down) = ((x - z) * 0.866 * SCALE, ((x + z) / 2.0 - y) * SCALE);
-    Point::new(134 + across.round() as i32, 132 + down.round() as i32)
+    Point::new(125 + across.round() as i32, 75 + down.round() as i32)
 }
 
 /// Draws the squares of the floor under the line.
 fn ground(panel: &mut Picture) {
-    let [[x, _, z], _] = [ENDS[1], ENDS[0]].map(|cell| cell.map(|place| f64::from(place) + 1.0));
+    let [x, z] = [ENDS[1][0], ENDS[0][2]].map(|place| f64::from(place) + 1.0);
     let color = Rgb888::new(58, 62, 72);
     for i in 0..=x as i32 {
         let i = f64::from(i);
@@ -156,8 +156,8 @@ mod tests {
     #[test]
     fn bresenhams_walk_leaves_out_what_the_others_visit_beyond_its_own() {
         let [bresenham, cohen, tripod] = walks();
-        assert_eq!([&bresenham, &cohen, &tripod].map(|walk| walk.cells.len()), [10, 20, 20]);
-        assert!(left_out(&bresenham.cells).len() >= 10);
+        assert_eq!([&bresenham, &cohen, &tripod].map(|walk| walk.cells.len()), [12, 21, 21]);
+        assert!(left_out(&bresenham.cells).len() >= 9);
         assert!(left_out(&cohen.cells).is_empty() && left_out(&tripod.cells).is_empty());
         assert_ne!(cohen.cells, tripod.cells, "another line through the same ends");
     }

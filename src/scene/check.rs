@@ -62,7 +62,7 @@ fn has_inside<S: Scalar, X>(shape: &Shape<S, X>) -> bool {
         Shape::Triangle(_) | Shape::Polygon(_) | Shape::SmoothTriangle(_) => false,
         Shape::Cuboid(Cuboid { low, high }) => low.x < high.x && low.y < high.y && low.z < high.z,
         Shape::Cone(cone) => cone.capped,
-        Shape::Isosurface(surface) => surface.is_closed(),
+        Shape::Isosurface(surface) => cfg!(feature = "volumes") && surface.is_closed(),
         // On the far side of a plane there is no end of it.
         Shape::Plane(_) | Shape::Sphere(_) | Shape::Displaced(_) | Shape::Custom(_) => true,
     }

@@ -157,3 +157,66 @@ impl<S: Scalar> Iterator for Partition<S> {
         Some(Piece { cell, from, to })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Fixed;
+    use crate::volume::Voxels;
+
+    static VALUES: [u8; 6 * 5 * 4] = [0; 6 * 5 * 4];
+
+    fn check<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64, precision: f64) {
+        let v = |[x, y, z]: [f64; 3]| Vec3::new(make(x), make(y), make(z));
+        let grid = Grid::new(Voxels::new([6, 5, 4], &VALUES), v([-1.0, -2.0, 0.5]), v([0.5, 1.0, 0.25]));
+        // Slanted, along the axes both ways, through edges, and from inside.
+        let ways = [
+            ([-3.0, -4.0, -1.0], [1.0, 1.3, 0.7]),
+            ([3.0, 3.0, 3.0], [-1.0, -1.1, -0.8]),
+            ([-2.0, 0.5, 0.8], [1.0, 0.0, 0.0]),
+            ([0.2, 5.0, 0.8], [0.0, -1.0, 0.0]),
+            ([-1.5, -3.0, 0.6], [0.5, 1.0, 0.0]),
+            ([0.1, 0.2, 0.9], [0.3, -0.4, 0.2]),
+        ];
+        for (origin, toward) in ways {
+            let ray = Ray::new(v(origin), v(toward).normalize().expect("a direction").0);
+            let course = Course::of(&grid, &ray, &Interval::AHEAD).expect("it meets the grid");
+            let pieces: [Option<Piece<S>>; 14] = {
+                let mut partition = course.pieces(&grid, &ray);
+                core::array::from_fn(|_| partition.next())
+            };
+            assert!(pieces[13].is_none(), "no more than 5 + 4 + 3 planes and the border");
+            let mut reached = course.enter;
+            for piece in pieces.into_iter().flatten() {
+                assert_eq!(piece.from, reached, "no gap");
+                reached = piece.to;
+                let middle = read(piece.from) / 2.0 + read(piece.to) / 2.0;
+                let point = ray.at(make(middle)) - grid.low;
+                let counted = [read(point.x) / 0.5, read(point.y), read(point.z) / 0.25];
+                for (counted, cell) in counted.into_iter().zip(piece.cell) {
+                    let share = counted - f64::from(cell);
+                    assert!((-precision..=1.0 + precision).contains(&share), "{piece:?}: {counted}");
+                }
+            }
+            assert!((read(reached) - read(course.leave)).abs() < precision, "to the end");
+        }
+        let past = Ray::new(v([-3.0, 9.0, 1.0]), v([1.0, 0.0, 0.0]));
+        assert!(Course::of(&grid, &past, &Interval::AHEAD).is_none());
+    }
+
+    #[test]
+    fn pieces_lie_in_their_cells_and_leave_no_gap() {
+        check(|x| x as f32, f64::from, 1e-5);
+        check(Fixed::new, Fixed::to_f64, 1e-4);
+        check(|x| x, |x| x, 1e-12);
+    }
+
+    #[test]
+    fn equal_parts_fill_a_piece() {
+        let piece = Piece { cell: [0; 3], from: 2.0_f64, to: 3.5 };
+        let mut parts = piece.divided(3);
+        let ends: [Option<[f64; 2]>; 4] =
+            core::array::from_fn(|_| parts.next().map(|part| [part.from, part.to]));
+        assert_eq!(ends, [Some([2.0, 2.5]), Some([2.5, 3.0]), Some([3.0, 3.5]), None]);
+    }
+}
