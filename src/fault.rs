@@ -37,6 +37,14 @@ pub enum Fault {
     NormalInward,
     /// An image has no texels, or more than 2048 to a side.
     ImageSize,
+    /// A grid has a side of fewer than 2 or more than 1024 voxels, or not as many values as voxels, or blocks.
+    Voxels,
+    /// Voxels are closer together than 1/1024, or farther apart than any length may be.
+    Spacing,
+    /// A table of classes is empty, or its values do not rise.
+    Classes,
+    /// A volume takes no samples of a cell.
+    Samples,
     /// Its material is glass, and the shape has no inside.
     NotClosed,
     /// A triangle of a mesh names a corner that is not in the list, or lists of corners differ in length.
@@ -77,6 +85,12 @@ impl fmt::Display for Fault {
             Self::NoDirection => f.write_str("its direction has no length or not the length it must have"),
             Self::NormalInward => f.write_str("the normal of a corner does not point to its outward side"),
             Self::ImageSize => f.write_str("its image is empty or more than 2048 texels wide or high"),
+            Self::Voxels => f.write_str(
+                "its grid has a side of fewer than 2 or more than 1024 voxels, or not as many values as that takes",
+            ),
+            Self::Spacing => f.write_str("its voxels are closer together than 1/1024"),
+            Self::Classes => f.write_str("its classes are none or not in the order of their values"),
+            Self::Samples => f.write_str("it takes no samples of a cell"),
             Self::NotClosed => f.write_str("it is of glass and has no inside: it is flat or open"),
             Self::Mesh => {
                 f.write_str("a triangle names a corner that is not there, or lists differ in length")

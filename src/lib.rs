@@ -43,6 +43,7 @@
 //! - [`accel`]: hierarchies over many things.
 //! - [`shape`]: one file a shape, and room for your own ([`Intersect`]).
 //! - [`texture`], [`material`], [`brdf`], [`glass`], [`light`], [`environment`]: what surfaces do with light.
+//! - [`volume`]: fields on a grid of voxels: bodies that light comes through, and walks through them.
 //! - [`scene`]: [`Scene`] borrows it all, [`SceneBuffer`] owns it, [`Scene::check`] judges it.
 //! - [`camera`]: which ray belongs to which pixel.
 //! - [`trace`]: what a ray meets, how it is lit, where the light goes on.
@@ -53,8 +54,8 @@
 //! - [`gallery`]: scenes ready to draw, in every number.
 //!
 //! The numbers are types, not features: no flag changes a picture. Features say what a program carries beside
-//! spheres, planes, triangles, boxes, Phong's light and mirrors: `shapes`, `images`, `glass` and `models`, all
-//! by default. A scene that needs what was left out is refused by the name of the feature ([`Fault::LeftOut`]).
+//! spheres, planes, triangles, boxes, Phong's light and mirrors: `shapes`, `images`, `glass`, `models` and
+//! `volumes`, all by default. A scene that needs what was left out is refused by the name of the feature ([`Fault::LeftOut`]).
 //!
 //! [`embedded-graphics`]: https://docs.rs/embedded-graphics
 #![no_std]
@@ -81,6 +82,7 @@ pub mod glass;
 pub mod light;
 pub mod material;
 pub mod texture;
+pub mod volume;
 
 pub mod scene;
 
@@ -111,12 +113,13 @@ pub use render::{Adaptive, AtEdges, Exact, Jittered, Pointwise, Quality, Uniform
 pub use render::{Progress, RenderError, Renderer, RowError, Settings, Workspace};
 pub use scene::{Full, Object, Scene, SceneBuffer, SceneError};
 pub use shape::{
-    Cone, Corners, Cuboid, Displaced, FillRule, Intersect, Mesh, Normals, Plane, Polygon, Shape,
+    Cone, Corners, Cuboid, Displaced, FillRule, Intersect, Isosurface, Mesh, Normals, Plane, Polygon, Shape,
     SmoothTriangle, Sphere, Triangle, Vertex,
 };
 pub use texture::{
     Bitmap, Bump, Checker, Filter, Image, Procedural, Relief, Rings, Stripes, Texels, Texture, Vertices,
 };
+pub use volume::{Class, Gradient, Grid, Reconstruction, Volume, Voxels};
 
 /// Runs the README's example as a test.
 #[cfg(doctest)]

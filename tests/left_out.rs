@@ -5,8 +5,8 @@ mod support;
 use embedded_graphics::image::ImageRaw;
 use embedded_graphics::pixelcolor::Rgb888;
 use scanray::{
-    Bitmap, Bump, Cone, Cube, Fault, Glass, Image, Light, Material, Model, Object, Rgb, Scene, SceneError,
-    Shape, Sky, Sphere, Texture, Vec3,
+    Bitmap, Bump, Class, Cone, Cube, Fault, Glass, Grid, Image, Isosurface, Light, Material, Model, Object,
+    Rgb, Scene, SceneError, Shape, Sky, Sphere, Texture, Vec3, Volume, Voxels,
 };
 use support::v;
 
@@ -47,6 +47,21 @@ fn a_scene_that_needs_what_was_left_out_is_refused_by_the_name_of_the_feature() 
     assert_carried("images", cfg!(feature = "images"), BALL, bumpy, SceneError::Material);
     let blinn = plain.with_model(Model::BlinnPhong);
     assert_carried("models", cfg!(feature = "models"), BALL, blinn, SceneError::Material);
+}
+
+/// Is one cell, from air to bone.
+static CELL: Grid =
+    Grid::new(Voxels::new([2; 3], &[0, 255, 0, 255, 0, 255, 0, 255]), Vec3::ZERO, Vec3::new(1.0, 1.0, 1.0));
+
+#[test]
+fn a_volume_and_a_surface_in_one_are_refused_by_the_name_of_theirs() {
+    let carried = cfg!(feature = "volumes");
+    let surface = Shape::Isosurface(Isosurface::new(&CELL, 127.0));
+    assert_carried("volumes", carried, surface, Material::matte(Rgb::WHITE), SceneError::Object);
+    let volume = Volume::new(CELL, &Class::TISSUES, 1.0);
+    let said = Scene::<f32>::new(&[], &[], &[]).with_volume(&volume).check();
+    let ought = if carried { Ok(()) } else { Err(SceneError::Volume(Fault::LeftOut("volumes"))) };
+    assert_eq!(said, ought);
 }
 
 #[test]

@@ -26,3 +26,4 @@ pub mod show;
 pub mod suggest;
 pub mod terminal;
 pub mod turn;
+pub mod walks;

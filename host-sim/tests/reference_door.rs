@@ -7,16 +7,19 @@ use std::{fs, io};
 const DOOR: &str = "door.rs";
 
 /// Lists what the door may name: descriptions, none of which calculates.
-const DATA: [&str; 25] = [
+const DATA: [&str; 30] = [
     "Bitmap",
     "Bump",
     "Camera",
+    "Class",
     "Corners",
     "Dither",
     "FillRule",
     "Filter",
     "Fresnel",
     "Glass",
+    "Gradient",
+    "Grid",
     "Image",
     "Light",
     "Material",
@@ -25,6 +28,7 @@ const DATA: [&str; 25] = [
     "Normals",
     "Object",
     "Projection",
+    "Reconstruction",
     "Relief",
     "Rgb",
     "Scene",
@@ -33,12 +37,13 @@ const DATA: [&str; 25] = [
     "Sky",
     "Texture",
     "Transfer",
+    "Volume",
 ];
 const ALSO_DATA: &str = "Vec3";
 
-/// Lists the methods the door may call: those of slices, options and iterators, those of an image that read
-/// its texels out, and one of its own that takes meshes apart.
-const METHODS: [&str; 14] = [
+/// Lists the methods the door may call: those of slices, options and iterators, those of an image or a
+/// grid that read its texels or voxels out, and one of its own that takes meshes apart.
+const METHODS: [&str; 16] = [
     "as_ref",
     "clone",
     "collect",
@@ -50,9 +55,11 @@ const METHODS: [&str; 14] = [
     "iter",
     "map",
     "ok_or",
+    "sides",
     "size",
     "texel",
     "transpose",
+    "value",
 ];
 
 /// Lists what no other file may contain: ways to the core, to the rest of this crate, around this

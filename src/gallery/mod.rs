@@ -50,7 +50,8 @@ macro_rules! with_makers {
         #[allow(unused_imports, reason = "no scene uses everything")]
         use $crate::{camera::*, brdf::CookTorrance, environment::*, gallery::View, glass::*, light::*, material::*,
             math::{Vec3, cosine},
-            output::*, render::Settings, scene::*, shape::*, spectrum, texture::*, color::Rgb};
+            output::*, render::Settings, scene::*, shape::*, spectrum, texture::*, color::Rgb,
+            volume::{Class, Grid, Volume}};
         #[allow(dead_code, reason = "no scene uses everything")]
         const fn v(x: f64, y: f64, z: f64) -> Vec3<S> { Vec3::new(n(x), n(y), n(z)) }
         #[allow(dead_code, reason = "no scene uses everything")]
@@ -71,12 +72,15 @@ mod displaced;
 mod environment;
 mod first_light;
 mod glass;
+mod head;
 mod images;
+mod isosurface;
 mod knot;
 mod material_table;
 mod meshes;
 mod mirror_levels;
 mod orthographic;
+mod phantom;
 mod playdate;
 mod simple;
 mod smooth;
@@ -129,10 +133,12 @@ macro_rules! gallery_of {
             pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::glass::$module::VIEW as GLASS;
+            pub use super::isosurface::$module::VIEW as ISOSURFACE;
             pub use super::knot::$module::VIEW as KNOT;
             pub use super::material_table::$module::VIEW as MATERIAL_TABLE;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
+            pub use super::phantom::$module::VIEW as PHANTOM;
             pub use super::playdate::$module::VIEW as PLAYDATE;
             pub use super::simple::$module::VIEW as SIMPLE;
             pub use super::smooth::$module::VIEW as SMOOTH;
@@ -170,6 +176,8 @@ macro_rules! gallery_of {
                 DISPLACED,
                 ENVIRONMENT,
                 COLOR_CHART,
+                PHANTOM,
+                ISOSURFACE,
             ];
         }
 

@@ -50,8 +50,11 @@ impl<'a, S: Scalar> Figure<'a, S> {
 /// Answers a distance from an eye within which nothing of a scene stands.
 ///
 /// # Errors
-/// The first object of a shape that is not known here.
+/// A volume, or the first object of a shape that is not known here.
 pub(super) fn clearance<S: Scalar, X>(scene: &Scene<'_, S, X>, eye: Vec3<S>) -> Result<S, SceneError> {
+    if scene.volume.is_some() {
+        return Err(SceneError::Volume(Fault::NotRasterized));
+    }
     scene.objects.iter().enumerate().try_fold(S::FAR, |clear, (index, object)| {
         let figure = Figure::of(&object.shape);
         let figure = figure.ok_or(SceneError::Object(index, Fault::NotRasterized))?;

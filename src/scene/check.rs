@@ -6,6 +6,7 @@ use crate::material::Material;
 use crate::math::Scalar;
 use crate::shape::{Cuboid, Intersect, Shape};
 use crate::texture::Bitmap;
+use crate::volume::Volume;
 use core::fmt;
 
 /// Names the thing of a scene that is wrong, by its place in its list, and the fault.
@@ -24,6 +25,8 @@ pub enum SceneError {
     Ambient(Fault),
     /// The hierarchy.
     Hierarchy(Fault),
+    /// The volume.
+    Volume(Fault),
 }
 
 impl fmt::Display for SceneError {
@@ -35,6 +38,7 @@ impl fmt::Display for SceneError {
             Self::Sky(fault) => write!(f, "sky: {fault}"),
             Self::Hierarchy(fault) => write!(f, "hierarchy of objects: {fault}"),
             Self::Ambient(fault) => write!(f, "ambient light: {fault}"),
+            Self::Volume(fault) => write!(f, "volume: {fault}"),
         }
     }
 }
@@ -61,6 +65,7 @@ fn has_inside<S: Scalar, X>(shape: &Shape<S, X>) -> bool {
         Shape::Triangle(_) | Shape::Polygon(_) | Shape::SmoothTriangle(_) | Shape::Mesh(_) => false,
         Shape::Cuboid(Cuboid { low, high }) => low.x < high.x && low.y < high.y && low.z < high.z,
         Shape::Cone(cone) => cone.capped,
+        Shape::Isosurface(surface) => cfg!(feature = "volumes") && surface.is_closed(),
         // On the far side of a plane there is no end of it.
         Shape::Plane(_) | Shape::Sphere(_) | Shape::Displaced(_) | Shape::Custom(_) => true,
     }
@@ -122,7 +127,8 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
         each(self.materials, SceneError::Material, Material::check)?;
         each(self.lights, SceneError::Light, check_light)?;
         check_sky(&self.sky).map_err(SceneError::Sky)?;
-        in_range(self.ambient.in_range()).map_err(SceneError::Ambient)
+        in_range(self.ambient.in_range()).map_err(SceneError::Ambient)?;
+        self.volume.map_or(Ok(()), Volume::check).map_err(SceneError::Volume)
     }
 
     fn check_hierarchy(&self) -> Result<(), Fault> {

@@ -34,7 +34,7 @@ fn brightest_highlight<S: Scalar>(material: &Material<S>) -> S {
 }
 
 impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
-    /// Answers the largest magnitude among the coordinates of shapes and lights: at most this is
+    /// Answers the largest magnitude among the coordinates of shapes, lights and the volume: at most this is
     /// what [`Scene::check`] compares with [`Scalar::LIMIT`].
     pub fn largest(&self) -> S {
         let shapes = self.objects.iter().map(|object| reach(&object.shape.hull()));
@@ -42,7 +42,8 @@ impl<S: Scalar, X: Intersect<S>> Scene<'_, S, X> {
             Light::Point { position, .. } | Light::Spot(Spot { position, .. }) => position.largest(),
             Light::Directional { .. } => S::ZERO,
         });
-        shapes.chain(lights).fold(S::ZERO, S::max)
+        let volume = self.volume.map(|volume| reach(&Hull::Box(volume.grid.bounds())));
+        shapes.chain(lights).chain(volume).fold(S::ZERO, S::max)
     }
 
     /// Answers a bound of the light that any surface or the sky sends without mirrors: every term of

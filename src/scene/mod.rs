@@ -14,6 +14,7 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::math::Scalar;
 use crate::shape::Shape;
+use crate::volume::Volume;
 use core::convert::Infallible;
 use core::ops::Range;
 use core::ptr;
@@ -53,6 +54,8 @@ pub struct Scene<'a, S: 'static = f32, X = Infallible> {
     /// Which of the first so many objects a ray may meet, as many as it holds; those behind them in the list are
     /// asked one by one. Without it, all are.
     pub hierarchy: Option<&'a dyn Hierarchy<S>>,
+    /// What rays from the eye see through on their way, if anything.
+    pub volume: Option<&'a Volume<S>>,
 }
 
 /// Is the same hierarchy, not an equal one.
@@ -61,6 +64,7 @@ impl<S: PartialEq, X: PartialEq> PartialEq for Scene<'_, S, X> {
         let address = |scene: &Self| scene.hierarchy.map(|hierarchy| ptr::from_ref(hierarchy).cast::<()>());
         (self.objects, self.materials, self.lights) == (other.objects, other.materials, other.lights)
             && (self.sky == other.sky && self.ambient == other.ambient)
+            && self.volume == other.volume
             && address(self) == address(other)
     }
 }
@@ -81,7 +85,8 @@ impl<'a, S: Scalar, X> Scene<'a, S, X> {
         materials: &'a [Material<S>],
         lights: &'a [Light<S>],
     ) -> Self {
-        Self { objects, materials, lights, sky: Sky::Solid(Rgb::BLACK), ambient: Rgb::BLACK, hierarchy: None }
+        let (sky, ambient) = (Sky::Solid(Rgb::BLACK), Rgb::BLACK);
+        Self { objects, materials, lights, sky, ambient, hierarchy: None, volume: None }
     }
 
     /// Sets the sky.
@@ -111,5 +116,11 @@ impl<'a, S: Scalar, X> Scene<'a, S, X> {
     pub(crate) fn loose(&self) -> Range<u16> {
         let end = u16::try_from(self.objects.len()).unwrap_or(u16::MAX);
         self.tree().map_or(0, |tree| tree.count()).min(end)..end
+    }
+
+    /// Adds a volume.
+    pub const fn with_volume(mut self, volume: &'a Volume<S>) -> Self {
+        self.volume = Some(volume);
+        self
     }
 }

@@ -4,7 +4,8 @@ use crate::hit::{Crossing, Surface};
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 
-/// Stands for a shape whose code this program was built without: a scene that has one is refused.
+/// Stands for a shape whose code this program was built without, named by the feature: a scene that has one is
+/// refused.
 pub(crate) struct LeftOut(pub &'static str);
 
 impl<S: Scalar> Intersect<S> for LeftOut {

@@ -38,6 +38,11 @@ pub(super) fn bracket<S: Scalar>(
 }
 
 impl<S: Scalar> Bracket<S> {
+    /// Makes a piece of which the far end is known to be on the other side.
+    pub fn between(before: S, behind: S, from_inside: bool) -> Self {
+        Self { before, behind, from_inside }
+    }
+
     /// Answers the distance of the surface, to the last digit of the number: at most 64 halvings.
     pub fn narrow(self, inside: impl Fn(S) -> bool) -> S {
         let Self { mut before, mut behind, from_inside } = self;

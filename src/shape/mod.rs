@@ -5,9 +5,11 @@
 
 mod called;
 mod cone;
+mod cubic;
 mod cuboid;
 mod displaced;
-#[cfg(not(all(feature = "shapes", feature = "meshes")))]
+mod isosurface;
+#[cfg(not(all(feature = "shapes", feature = "meshes", feature = "volumes")))]
 mod left_out;
 mod march;
 mod mesh;
@@ -20,7 +22,8 @@ mod triangle;
 pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use displaced::Displaced;
-#[cfg(not(all(feature = "shapes", feature = "meshes")))]
+pub use isosurface::Isosurface;
+#[cfg(not(all(feature = "shapes", feature = "meshes", feature = "volumes")))]
 pub(crate) use left_out::LeftOut;
 pub use mesh::{Corners, Mesh, Normals};
 pub use plane::Plane;
@@ -116,6 +119,8 @@ pub enum Shape<S: 'static = f32, X = Infallible> {
     Displaced(Displaced<S>),
     /// Many triangles.
     Mesh(&'static Mesh<S>),
+    /// The surface in a sampled field.
+    Isosurface(Isosurface<S>),
     /// The user's own shape.
     Custom(X),
 }
@@ -149,6 +154,13 @@ macro_rules! dispatch {
             | $crate::shape::Shape::SmoothTriangle(_)
             | $crate::shape::Shape::Displaced(_) => {
                 let $inner = &$crate::shape::LeftOut("shapes");
+                $call
+            }
+            #[cfg(feature = "volumes")]
+            $crate::shape::Shape::Isosurface($inner) => $call,
+            #[cfg(not(feature = "volumes"))]
+            $crate::shape::Shape::Isosurface(_) => {
+                let $inner = &$crate::shape::LeftOut("volumes");
                 $call
             }
             $crate::shape::Shape::Custom($inner) => $call,

@@ -72,7 +72,7 @@ fn sign<S: Scalar>(n: S) -> S {
 }
 
 /// Answers the two coordinates of a point that a plane of this normal does not hide.
-fn flatten<S: Scalar>(point: Vec3<S>, normal: Vec3<S>) -> (S, S) {
+pub(super) fn flatten<S: Scalar>(point: Vec3<S>, normal: Vec3<S>) -> (S, S) {
     let (x, y, z) = (normal.x.abs(), normal.y.abs(), normal.z.abs());
     if y >= x && y >= z {
         (point.x, point.z)

@@ -10,6 +10,7 @@ mod shade;
 mod shadow;
 mod tracer;
 mod tree;
+mod veiled;
 mod vicinity;
 mod visibility;
 

@@ -46,7 +46,7 @@ pub struct Tracer<'a, 's, S: Scalar, X> {
     /// Places for rays that wait, one a level.
     pub(super) pending: &'s mut [Pending<S>],
     pub(super) depth: u8,
-    exposure: Rgb<S>,
+    pub(super) exposure: Rgb<S>,
     /// Whether the exposure is any but 1.
     exposed: bool,
     pub(super) faint: S,
@@ -91,7 +91,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     /// Answers the light of rays that meet nothing, where it is the same in all directions.
     pub fn background(&self) -> Option<Rgb<S>> {
         match self.scene.sky {
-            Sky::Solid(light) => Some(self.exposure * light),
+            Sky::Solid(light) if self.scene.volume.is_none() => Some(self.exposure * light),
             _ => None,
         }
     }
@@ -118,12 +118,20 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         let (lanes, _) = lanes.split_at_mut(usize::from(count));
         let (light, _) = light.split_at_mut(usize::from(count));
         nearest(self.scene, candidates, self.eye, lanes);
-        self.follow(lanes, light, observer);
+        match self.scene.volume {
+            Some(volume) if cfg!(feature = "volumes") => self.follow_behind(volume, lanes, light, observer),
+            _ => self.follow(lanes, light, observer),
+        }
         light
     }
 
     /// Lights what the rays have met and sends them on from mirrors, until none is left.
-    fn follow(&mut self, mut lanes: &mut [Lane<S>], light: &mut [Rgb<S>], observer: &mut impl Observer) {
+    pub(super) fn follow(
+        &mut self,
+        mut lanes: &mut [Lane<S>],
+        light: &mut [Rgb<S>],
+        observer: &mut impl Observer,
+    ) {
         let mut onward = self.light_up(0, lanes, light, observer);
         let mut level = 0;
         loop {

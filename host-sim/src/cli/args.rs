@@ -43,6 +43,8 @@ pub(super) enum Command {
     Approaches(ApproachesArgs),
     /// Draw a scene for three panels by each way of rounding, and measure what it does to local means
     Dither(DitherArgs),
+    /// Draw the cells that discrete walks through a grid visit: Bresenham's, Cohen's and the tripod
+    Walks(WalksArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
@@ -255,6 +257,13 @@ pub(super) struct DitherArgs {
     /// File to write the sheet of pictures to [default: SCENE-dither.png in the current directory]
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct WalksArgs {
+    /// File to write the picture to
+    #[arg(short, long, value_name = "FILE.png", default_value = "walks.png")]
+    pub output: PathBuf,
 }
 
 fn judged(text: &str) -> Result<Number, String> {

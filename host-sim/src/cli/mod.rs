@@ -16,6 +16,7 @@ mod race;
 mod rays;
 mod render;
 mod report;
+mod walks;
 mod words;
 
 pub use error::Error;
@@ -72,6 +73,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Approaches(args) => approaches::run(args, &mut out)?,
         Command::Dither(args) => dither::run(args, &mut out)?,
+        Command::Walks(args) => walks::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,

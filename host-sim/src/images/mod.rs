@@ -3,6 +3,7 @@
 //! The core includes the files as they are, so that firmware has them in flash; a test tells whether
 //! they are what is computed here.
 
+mod head;
 mod letters;
 mod noise;
 mod reliefs;
@@ -23,6 +24,8 @@ pub fn all() -> Vec<File> {
         ("craters_96x48.gray8", relief([96, 48], reliefs::craters)),
         ("peel_32x32.gray8", relief([32, 32], reliefs::peel)),
         ("dimples_16x16.rgb888", reliefs::dimples(16)),
+        ("head_48x60x56.voxels", head::voxels()),
+        ("head_48x60x56.blocks", head::blocks()),
     ];
     files.extend(
         sky::FACES

@@ -49,6 +49,9 @@ impl Plain {
     pub fn of(view: &View<f64>, size: [u32; 2]) -> Result<Self, Fault> {
         let scene = &view.scene;
         let Sky::Solid(background) = scene.sky else { return Err(Fault::Unwritable("a graded sky")) };
+        if scene.volume.is_some() {
+            return Err(Fault::Unwritable("volumes"));
+        }
         let lights = scene.lights.iter().map(|light| match *light {
             Light::Point { position, color } => Ok(Lamp { position, color }),
             _ => Err(Fault::Unwritable("lights that are no points")),
@@ -82,6 +85,7 @@ fn unwritable(shape: &Shape<f64>) -> Option<&'static str> {
         Shape::SmoothTriangle(_) => Some("smooth triangles"),
         Shape::Displaced(_) => Some("reliefs"),
         Shape::Mesh(_) => Some("meshes"),
+        Shape::Isosurface(_) => Some("isosurfaces"),
         Shape::Custom(none) => match *none {},
     }
 }

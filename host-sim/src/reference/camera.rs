@@ -52,6 +52,13 @@ impl Lens {
         Ray { start, direction: self.from_eye.direction(on_window(-1.0)) }
     }
 
+    /// Answers where a ray crosses the near and the far plane, in units of its direction.
+    pub fn span(&self, ray: &Ray) -> [f64; 2] {
+        let [_, _, start] = self.to_eye.point(ray.start).0;
+        let [_, _, end] = self.to_eye.point(ray.point(1.0)).0;
+        [self.near, self.far].map(|depth| (-depth - start) / (end - start))
+    }
+
     /// Tells whether a point lies between the near and the far plane.
     pub fn sees(&self, point: Vector) -> bool {
         let [_, _, z] = self.to_eye.point(point).0;

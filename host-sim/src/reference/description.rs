@@ -2,11 +2,13 @@
 
 use super::cone::Cone;
 use super::displaced::Displaced;
+use super::field::Field;
 use super::glass::Glass;
 use super::groups::Group;
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
+use super::volume::Volume;
 use std::fmt;
 use std::sync::Arc;
 
@@ -33,6 +35,7 @@ pub struct Description {
     pub(super) lights: Vec<Light>,
     pub(super) sky: Sky,
     pub(super) ambient: Vector,
+    pub(super) volume: Option<Volume>,
     pub(super) camera: Camera,
     pub(super) depth: u8,
     pub(super) exposure: f64,
@@ -49,6 +52,7 @@ pub(super) struct Object {
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     Displaced(Displaced),
+    Level { field: Field, level: f64 },
     Sphere { center: Vector, radius: f64 },
     Plane { point: Vector, normal: Vector },
     Triangle { corners: [Vector; 3] },

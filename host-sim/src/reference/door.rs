@@ -6,12 +6,14 @@ use super::description::{
     Texture, Unknown,
 };
 use super::displaced::Displaced;
+use super::field::Field;
 use super::glass::{Glass, Turning};
 use super::groups::groups;
 use super::mesh::{Corners, Mesh, Normals};
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
+use super::volume::Volume;
 use crate::panel::Panel;
 use std::sync::Arc;
 
@@ -64,6 +66,34 @@ fn mesh(mesh: &scanray::Mesh<f64>) -> Mesh {
     Mesh { triangles: mesh.triangles, corners, normals, coordinates: mesh.texture }
 }
 
+fn field(grid: &scanray::Grid<f64>, gradient: scanray::Gradient) -> Field {
+    let [columns, rows, slices] = grid.voxels.sides();
+    let row = |j, k| (0..columns).map(|i| f64::from(grid.voxels.value([i, j, k]))).collect();
+    let samples = (0..slices).map(|k| (0..rows).map(|j| row(j, k)).collect()).collect();
+    let first_order = match gradient {
+        scanray::Gradient::First => true,
+        scanray::Gradient::Second => false,
+    };
+    Field { samples: Arc::new(samples), low: vector(&grid.low), spacing: vector(&grid.spacing), first_order }
+}
+
+fn volume(volume: &scanray::Volume<f64>) -> Volume {
+    let class =
+        |class: &scanray::Class<f64>| (f64::from(class.value), light(&class.color), f64::from(class.opacity));
+    let nearest = match volume.reconstruction {
+        scanray::Reconstruction::Nearest => true,
+        scanray::Reconstruction::Trilinear => false,
+    };
+    Volume {
+        field: field(&volume.grid, volume.gradient),
+        classes: volume.classes.iter().map(class).collect(),
+        density: volume.density,
+        nearest,
+        samples: u32::from(volume.samples),
+        faintest: volume.faintest,
+    }
+}
+
 /// Answers a shape, or what it is made of.
 fn shapes(shape: &scanray::Shape<f64>) -> Vec<Shape> {
     let one = match shape {
@@ -100,6 +130,7 @@ fn shapes(shape: &scanray::Shape<f64>) -> Vec<Shape> {
         scanray::Shape::Mesh(whole) => {
             return mesh(whole).facets().into_iter().map(Shape::Smooth).collect();
         }
+        scanray::Shape::Isosurface(s) => Shape::Level { field: field(s.grid, s.gradient), level: s.level },
         scanray::Shape::Custom(none) => match *none {},
     };
     vec![one]
@@ -229,6 +260,7 @@ impl Description {
             lights: scene.lights.iter().map(lamp).collect::<Result<_, _>>()?,
             sky: sky(&scene.sky)?,
             ambient: light(&scene.ambient),
+            volume: scene.volume.map(volume),
             camera: camera(lens)?,
             depth: settings.depth,
             exposure: settings.exposure,

@@ -29,7 +29,7 @@ struct Place<'a> {
 
 impl Light {
     /// Answers the vector to the light, of its own length, and how far along it shadows reach.
-    fn seen_from(&self, point: Vector) -> (Vector, f64, Vector) {
+    pub(super) fn seen_from(&self, point: Vector) -> (Vector, f64, Vector) {
         match *self {
             Self::Point { position, color } => (position - point, 1.0, color),
             Self::Directional { toward, color } => (toward, f64::INFINITY, color),
@@ -61,11 +61,21 @@ impl Description {
         Some(Arrival { object, part: root.part, point, way })
     }
 
-    /// Answers what comes along a ray from the eye, of which only what `counts` is looked at.
-    pub(super) fn seen_along(&self, ray: &Ray, counts: impl Fn(Vector) -> bool) -> (Vector, Trail) {
+    /// Answers what comes along a ray from the eye, of which only what `counts` is looked at: what lies between two
+    /// distances, in units of its direction.
+    pub(super) fn seen_along(
+        &self,
+        ray: &Ray,
+        counts: impl Fn(Vector) -> bool,
+        [near, far]: [f64; 2],
+    ) -> (Vector, Trail) {
         let mut trail = Trail::new();
         let arrival = self.first(ray, None, |t| counts(ray.point(t)));
-        let light = self.light_of(ray, arrival, self.depth, &self.media_at(ray), &mut trail);
+        let end = arrival.as_ref().map_or(far, |arrival| arrival.way / ray.direction.norm());
+        let mut light = self.light_of(ray, arrival, self.depth, &self.media_at(ray), &mut trail);
+        if let Some(volume) = &self.volume {
+            light = volume.over(light, ray, [near.max(0.0), end], &self.lights, self.ambient);
+        }
         (light * self.exposure, trail)
     }
 

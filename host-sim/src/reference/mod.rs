@@ -3,7 +3,7 @@
 //! It shares the scene description with the core and nothing else. [`Description`] and [`Output`]
 //! are its only doors: they copy plain data, and no other file here may name the core. Where the
 //! core has one formula, the reference has another: the quadratic with both of its roots, a
-//! triangle by its plane and areas, a box by six planes, a polygon by sums of angles, bounces by recursion, rays by inverted
+//! triangle by its plane and areas, a box by six planes, a polygon by sums of angles, a field by eight weights, bounces by recursion, rays by inverted
 //! camera matrices, every object asked every time, `powf` and the exact transfer curve.
 //!
 //! Besides light it answers a [`Trail`] for each pixel: all that the ray tree met. Where the trails
@@ -15,6 +15,7 @@ mod description;
 mod displaced;
 mod display;
 mod door;
+mod field;
 mod glass;
 mod groups;
 mod light;
@@ -30,6 +31,7 @@ mod smooth;
 mod texture;
 mod trail;
 mod vector;
+mod volume;
 
 pub use description::{Description, Output, Unknown};
 pub use picture::{Picture, trace};

@@ -28,7 +28,10 @@ pub fn trace(description: &Description, size: [u32; 2], mut row_done: impl FnMut
     let lens = Lens::of(&description.camera, size);
     let [columns, height] = size;
     let row = |y: u32| -> Row {
-        let pixel = |x| description.seen_along(&lens.ray(x, y), |point| lens.sees(point));
+        let pixel = |x| {
+            let ray = lens.ray(x, y);
+            description.seen_along(&ray, |point| lens.sees(point), lens.span(&ray))
+        };
         (0..columns).map(pixel).collect()
     };
     let mut rows: Vec<Row> = vec![vec![]; height as usize];

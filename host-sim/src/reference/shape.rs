@@ -29,6 +29,7 @@ impl Shape {
         let whole = |t: f64| Root { t, part: 0 };
         match *self {
             Self::Displaced(ref ball) => ball.roots(ray),
+            Self::Level { ref field, level } => field.roots(ray, level),
             Self::Sphere { center, radius } => {
                 let (v, from) = (ray.direction, ray.start - center);
                 let c = from.inner(from) - radius * radius;
@@ -58,7 +59,9 @@ impl Shape {
         let mut roots = self.roots(ray);
         match *self {
             // The start is the nearest root, unless rounding has put it beside the surface.
-            Self::Displaced(_) => roots.retain(|root| root.t.abs() * ray.direction.norm() > 1e-7),
+            Self::Displaced(_) | Self::Level { .. } => {
+                roots.retain(|root| root.t.abs() * ray.direction.norm() > 1e-7)
+            }
             Self::Sphere { .. } => {
                 roots.sort_by(|a, b| b.t.abs().total_cmp(&a.t.abs()));
                 roots.truncate(1);
@@ -90,6 +93,7 @@ impl Shape {
     pub fn normal(&self, point: Vector, part: u8) -> Vector {
         match *self {
             Self::Displaced(ref ball) => ball.normal(point),
+            Self::Level { ref field, .. } => field.normal(point),
             Self::Sphere { center, .. } => (point - center).unit(),
             Self::Plane { normal, .. } | Self::Polygon { normal, .. } => normal.unit(),
             Self::Triangle { corners: [a, b, c] } => (b - a).outer(c - a).unit(),
@@ -109,7 +113,7 @@ impl Shape {
             return triangle.lit(ray, point);
         }
         let outward = self.normal(point, part);
-        if let Self::Displaced(_) = self {
+        if let Self::Displaced(_) | Self::Level { .. } = self {
             // The part tells the side; an averaged normal may look away from it.
             let normal = if part.is_multiple_of(2) { outward } else { -outward };
             return (point, normal.turned_to(-ray.direction.unit()));
@@ -147,6 +151,7 @@ impl Shape {
         match *self {
             Self::Displaced(ref ball) => globe_coordinates(point - ball.center),
             Self::Sphere { center, .. } => globe_coordinates(point - center),
+            Self::Level { .. } => leave_out(largest_axis(self.normal(point, part)), point),
             Self::Plane { normal, .. } | Self::Polygon { normal, .. } => {
                 leave_out(largest_axis(normal), point)
             }

@@ -28,6 +28,8 @@ pub enum Unsayable {
     Camera,
     /// The settings.
     Settings,
+    /// The volume.
+    Volume,
 }
 
 impl fmt::Display for Unsayable {
@@ -40,6 +42,7 @@ impl fmt::Display for Unsayable {
             Self::Sky => f.write_str("the sky"),
             Self::Camera => f.write_str("the camera"),
             Self::Settings => f.write_str("the settings"),
+            Self::Volume => f.write_str("the volume"),
         }
     }
 }
@@ -59,6 +62,9 @@ fn say<W, C: PartialEq>(words: Option<W>, back: impl Fn(&W) -> C, core: &C) -> O
 /// The first thing that a scene file would not bring back as it is.
 pub fn describe(view: &View<f64>) -> Result<Description, Unsayable> {
     let scene = &view.scene;
+    if scene.volume.is_some() {
+        return Err(Unsayable::Volume);
+    }
     let unlit = Scene::<f64>::new(&[], &[], &[]);
     let camera = say(Camera::of(&view.camera), Camera::in_number, &view.camera);
     let settings = say(Some(Settings::of(&view.settings)), Settings::in_number, &view.settings);

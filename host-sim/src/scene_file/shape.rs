@@ -207,8 +207,8 @@ impl Shape {
                 relief: Image::of(&s.relief),
                 height: s.height,
             },
-            // Files hold no meshes.
-            scanray::Shape::Mesh(_) => return None,
+            // Files hold neither meshes nor voxels.
+            scanray::Shape::Mesh(_) | scanray::Shape::Isosurface(_) => return None,
             scanray::Shape::Custom(none) => match *none {},
         })
     }

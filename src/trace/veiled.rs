@@ -1,0 +1,30 @@
+use super::lane::{LANES, Lane};
+use super::observer::Observer;
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::math::Scalar;
+use crate::shape::Intersect;
+use crate::volume::{Veil, Volume};
+
+impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
+    /// Lights what the rays have met as far as it is seen through a volume before it, and what the volume sends.
+    ///
+    /// Called, never inlined: scenes without a volume pay for one test of eight rays.
+    #[inline(never)]
+    pub(super) fn follow_behind(
+        &mut self,
+        volume: &Volume<S>,
+        lanes: &mut [Lane<S>],
+        light: &mut [Rgb<S>],
+        observer: &mut impl Observer,
+    ) {
+        let mut veils = [Veil::CLEAR; LANES];
+        for (lane, veil) in lanes.iter().zip(&mut veils) {
+            *veil = volume.veil(&lane.ray, &lane.interval, self.scene.lights, self.scene.ambient);
+        }
+        self.follow(lanes, light, observer);
+        for (veil, light) in veils.iter().zip(light) {
+            *light = Veil { color: self.exposure * veil.color, ..*veil }.over(*light);
+        }
+    }
+}
