@@ -138,7 +138,7 @@ impl Shape {
             Self::Cuboid { low, high } => {
                 others(usize::from(part / 2)).map(|axis| along(axis, high.0[axis] - low.0[axis]))
             }
-            Self::Plane { .. } | Self::Polygon { .. } => {
+            Self::Plane { .. } | Self::Polygon { .. } | Self::Level { .. } => {
                 let normal = self.normal(point, part);
                 let hidden = largest_axis(normal);
                 others(hidden).map(|axis| along(axis, 1.0) - along(hidden, normal.0[axis] / normal.0[hidden]))
