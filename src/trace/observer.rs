@@ -24,7 +24,8 @@ pub trait Observer {
     /// Is told of each ray before it is traced.
     fn ray(&mut self, kind: RayKind);
 
-    /// Is told what a ray has met, at every level of reflection; the sky is object [`u16::MAX`].
+    /// Is told what a ray has met, at every level of reflection; the sky is object [`u16::MAX`],
+    /// a volume on the way of a ray from the eye the one before it.
     ///
     /// `lane` tells the rays of a packet apart and stays with a ray through all its mirrors. `tile` is a
     /// number of the object's part and the tile of its texture, other for other ones nearby.
