@@ -133,7 +133,7 @@ fn head<S: gallery::Gallery>(change: impl Fn(Volume<S>) -> Volume<S>) -> Vec<Rgb
 }
 
 fn without_blocks<S: Scalar>(volume: Volume<S>) -> Volume<S> {
-    Volume::new(Grid { voxels: PLAIN, ..volume.grid }, volume.classes, volume.density)
+    Volume { grid: Grid { voxels: PLAIN, ..volume.grid }, ..volume }
 }
 
 #[test]

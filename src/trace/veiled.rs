@@ -6,6 +6,9 @@ use crate::math::Scalar;
 use crate::shape::Intersect;
 use crate::volume::{Veil, Volume};
 
+/// Stands for the volume among the objects that an observer is told of.
+const VOLUME: u16 = u16::MAX - 1;
+
 impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
     /// Lights what the rays have met as far as it is seen through a volume before it, and what the volume sends.
     ///
@@ -21,6 +24,9 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
         let mut veils = [Veil::CLEAR; LANES];
         for (lane, veil) in lanes.iter().zip(&mut veils) {
             *veil = volume.veil(&lane.ray, &lane.interval, self.scene.lights, self.scene.ambient);
+            if veil.transparency < S::ONE {
+                observer.met(lane.number, VOLUME, veil.mark);
+            }
         }
         self.follow(lanes, light, observer);
         for (veil, light) in veils.iter().zip(light) {

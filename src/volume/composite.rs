@@ -14,11 +14,13 @@ pub struct Veil<S> {
     pub color: Rgb<S>,
     /// Share of the light behind that comes through, from 0 to 1.
     pub transparency: S,
+    /// A number of the first cell that is seen: pixels that see others are not taken for alike.
+    pub mark: u32,
 }
 
 impl<S: Scalar> Veil<S> {
     /// Is where there is no volume.
-    pub const CLEAR: Self = Self { color: Rgb::BLACK, transparency: S::ONE };
+    pub const CLEAR: Self = Self { color: Rgb::BLACK, transparency: S::ONE, mark: 0 };
 
     /// Lays a sample of so much opacity behind what there is (row V6): `Cout = Cin + (1 - ain) a C` and
     /// `1 - aout = (1 - ain) (1 - a)`, where the veil holds `C` weighted by its opacity and `1 - a`.
@@ -96,6 +98,10 @@ impl<S: Scalar> Volume<S> {
         let depth = share * self.density.ratio(S::from_i32(255)) * length;
         let normal = self.gradient.normal(&self.grid, &place);
         let arriving = normal.map_or(Rgb::BLACK, |normal| arriving(lights, ray.at(middle), normal));
+        if veil.transparency == S::ONE {
+            let [x, y, z] = piece.cell.map(u32::from);
+            veil.mark = x ^ y << 10 ^ z << 20;
+        }
         veil.add((ambient + arriving) * color, S::ONE - depth.exp_neg());
     }
 }

@@ -37,7 +37,7 @@ pub const SCENES: [&str; 6] =
     ["three-spheres", "tinyraytracer", "c-ray", "playdate", "business-card", "simple"];
 
 /// Names the scenes of which each shows a thing that the others do without: what it costs.
-pub const SHOWS: [&str; 12] = [
+pub const SHOWS: [&str; 16] = [
     "glass",
     "stars",
     "still-life",
@@ -50,6 +50,10 @@ pub const SHOWS: [&str; 12] = [
     "spots",
     "color-chart",
     "z-buffer",
+    "teapot",
+    "knot",
+    "phantom",
+    "isosurface",
 ];
 
 /// Names the ways in which a scene is drawn for the table: all of those for the peers' scenes.
