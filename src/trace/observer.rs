@@ -24,13 +24,8 @@ pub trait Observer {
     /// Is told of each ray before it is traced.
     fn ray(&mut self, kind: RayKind);
 
-<<<<<<< HEAD
     /// Is told what a ray has met, at every level of reflection and refraction; the sky is object
-    /// [`u16::MAX`].
-=======
-    /// Is told what a ray has met, at every level of reflection; the sky is object [`u16::MAX`],
-    /// a volume on the way of a ray from the eye the one before it.
->>>>>>> 28582360d8087eb402fe132842a4ad45d87039a8
+    /// [`u16::MAX`], a volume on the way of a ray from the eye the one before it.
     ///
     /// `lane` tells the rays of a packet apart and stays with a ray through all its mirrors, and with both
     /// rays into which it splits at glass. `tile` is a number of the object's part and the tile of its
