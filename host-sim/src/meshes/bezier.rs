@@ -29,13 +29,13 @@ pub fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     (length > 1e-9).then(|| v.map(|value| value / length))
 }
 
-/// Answers the point of a patch at u and v, and the unit normal there.
+/// Answers the point of a patch at u and v, and the unit normal there, from the way along v to that along u.
 ///
 /// Where one side of a patch is a point the derivative along it is 0: there the normal is that just beside it.
 fn point(patch: &Patch, u: f64, v: f64) -> ([f64; 3], [f64; 3]) {
     let normal = |u: f64, v: f64| {
         let ([along, by_u], [across, by_v]) = (weights(u), weights(v));
-        unit(cross(mix(patch, by_u, across), mix(patch, along, by_v)))
+        unit(cross(mix(patch, along, by_v), mix(patch, by_u, across)))
     };
     let inward = |t: f64| t + 1e-4 * (0.5 - t);
     let normal = normal(u, v).or_else(|| normal(inward(u), inward(v))).unwrap_or([0.0, 0.0, 1.0]);
@@ -57,7 +57,7 @@ pub fn tessellate(patches: &[Patch], cuts: u16) -> Indexed {
         for (above, below) in corners.iter().zip(&corners[1..]) {
             for (left, right) in (0..usize::from(cuts)).map(|j| (j, j + 1)) {
                 let square = [above[left], below[left], below[right], above[right]];
-                for triangle in [[square[0], square[1], square[2]], [square[0], square[2], square[3]]] {
+                for triangle in [[square[0], square[2], square[1]], [square[0], square[3], square[2]]] {
                     add_triangle(&mut mesh, triangle);
                 }
             }

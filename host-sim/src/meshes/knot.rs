@@ -43,8 +43,8 @@ pub fn knot() -> Indexed {
             let at = |ring: u16, corner: u16| ring % RINGS * SIDES + corner % SIDES;
             let square =
                 [at(ring, corner), at(ring + 1, corner), at(ring + 1, corner + 1), at(ring, corner + 1)];
-            mesh.triangles.push([square[0], square[1], square[2]]);
-            mesh.triangles.push([square[0], square[2], square[3]]);
+            mesh.triangles.push([square[0], square[2], square[1]]);
+            mesh.triangles.push([square[0], square[3], square[2]]);
         }
     }
     mesh

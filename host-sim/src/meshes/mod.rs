@@ -39,3 +39,48 @@ fn bytes(mesh: &Packed) -> Vec<u8> {
 fn words(words: &[u16]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bake::Indexed;
+
+    type Vector = [f64; 3];
+
+    fn dot(a: Vector, b: Vector) -> f64 {
+        (0..3).map(|axis| a[axis] * b[axis]).sum()
+    }
+
+    /// Answers the normal of a triangle, of any length.
+    fn across(mesh: &Indexed, triangle: &[u16; 3]) -> Vector {
+        let [a, b, c] = triangle.map(|corner| mesh.places[usize::from(corner)]);
+        let edge = |to: Vector, axis: usize| to[axis] - a[axis];
+        std::array::from_fn(|i| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            edge(b, j) * edge(c, k) - edge(b, k) * edge(c, j)
+        })
+    }
+
+    #[test]
+    fn every_normal_looks_to_the_outward_side_of_its_triangles() {
+        for mesh in [teapot::teapot(), knot::knot()] {
+            for triangle in &mesh.triangles {
+                let flat = across(&mesh, triangle);
+                let outward = |corner: &u16| dot(mesh.normals[usize::from(*corner)], flat) > 0.0;
+                assert!(triangle.iter().all(outward), "{triangle:?} of {}", mesh.triangles.len());
+            }
+        }
+    }
+
+    /// The volume inside is a sum over the triangles, each with the origin, and above 0 if they look outward
+    /// (the theorem of Gauss).
+    #[test]
+    fn the_meshes_are_seen_from_outside() {
+        for mesh in [teapot::teapot(), knot::knot()] {
+            let sixths =
+                |triangle: &[u16; 3]| dot(mesh.places[usize::from(triangle[0])], across(&mesh, triangle));
+            let volume = mesh.triangles.iter().map(sixths).sum::<f64>() / 6.0;
+            assert!(volume > 10.0, "{volume}");
+        }
+    }
+}

@@ -77,29 +77,3 @@ fn mirrored(half: &Patch) -> Patch {
         [d, c, b, a]
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_teapot_is_seen_from_outside() {
-        let pot = teapot();
-        let outward = pot.triangles.iter().filter(|triangle| {
-            let [a, b, c] = triangle.map(|corner| pot.places[usize::from(corner)]);
-            let edge = |to: [f64; 3], axis: usize| to[axis] - a[axis];
-            let normal: [f64; 3] = std::array::from_fn(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                edge(b, j) * edge(c, k) - edge(b, k) * edge(c, j)
-            });
-            let given = pot.normals[usize::from(triangle[0])];
-            normal.iter().zip(given).map(|(a, b)| a * b).sum::<f64>() > 0.0
-        });
-        assert_eq!(outward.count(), pot.triangles.len(), "normals and triangles look the same way");
-        // The body's outermost corner looks outward.
-        let rim = pot.places.iter().zip(&pot.normals).filter(|(place, _)| (place[1] - 1.35).abs() < 0.3);
-        for (place, normal) in rim.filter(|(place, _)| place[0].abs() < 0.5 && place[2] > 1.7) {
-            assert!(normal[2] > 0.0, "{place:?} {normal:?}");
-        }
-    }
-}

@@ -19,8 +19,8 @@ use crate::ray::{Interval, Ray};
 /// Is a surface of triangles that share their corners (row O8), seen from both sides.
 ///
 /// Each triangle is the [`SmoothTriangle`](super::SmoothTriangle) of its corners, to the bit, and a flat
-/// one has its own normal at each; the part of a hit is the triangle's number. At most 65535 triangles of as
-/// many corners.
+/// one has its own normal at each; so has a triangle at a corner whose normal does not look to its outward side.
+/// The part of a hit is the triangle's number. At most 65535 triangles of as many corners.
 ///
 /// ```
 /// use scanray::accel::Every;

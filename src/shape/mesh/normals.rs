@@ -8,8 +8,7 @@ pub enum Normals<S: 'static = f32> {
     Flat,
     /// A unit vector for each corner: 12 bytes each.
     Exact(&'static [Vec3<S>]),
-    /// An octahedron's point for each corner: 4 bytes each, at most 0.004 degrees off. Two bytes would be 0.95 degrees
-    /// off, which shows as facets.
+    /// An octahedron's point for each corner: 4 bytes each, at most 0.004 degrees off.
     ///
     /// The sphere is mapped onto the octahedron `|x| + |y| + |z| = 1` and its lower half, z < 0, turned out over
     /// the upper one's edges, onto a square (Z. Cigolle et al. 2014, "A Survey of Efficient Representations
