@@ -3,7 +3,6 @@
 use host_sim::bake::{Accel, Bounds};
 use host_sim::rounded::Rounded;
 use proptest::prelude::*;
-use scanray::accel::{Every, Hierarchy};
 use scanray::math::Vec3;
 use scanray::ray::{Interval, Ray};
 use scanray::{Corners, Fixed, Intersect, Mesh, Normals};

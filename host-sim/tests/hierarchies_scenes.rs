@@ -63,8 +63,9 @@ fn check<S: Rounded + Send + Sync>(things: &[Thing]) -> Result<(), TestCaseError
     {
         objects.push(Object::new(Shape::Plane(Plane::new(vector(point), vector(normal))), material));
     }
-    let (materials, lights) = (materials(), lights());
-    let scene = Scene::new(&objects, &materials, &lights).with_ambient(Rgb::gray(S::round(0.1)));
+    // A view of the gallery is `static`.
+    let (materials, lights) = (Box::leak(Box::new(materials())), Box::leak(Box::new(lights())));
+    let scene = Scene::new(objects.leak(), materials, lights).with_ambient(Rgb::gray(S::round(0.1)));
     let eye = [vector([3.0, 4.0, 22.0]), Vec3::ZERO, vector([0.0, 1.0, 0.0])];
     let draw = |scene| {
         let camera = Camera::perspective(eye[0], eye[1], eye[2], S::round(45.0));

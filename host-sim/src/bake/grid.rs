@@ -47,7 +47,7 @@ impl Grid {
     fn held(&self) -> Vec<Vec<u16>> {
         let [columns, rows, layers] = self.cells.map(usize::from);
         let mut held = vec![vec![]; columns * rows * layers];
-        for (thing, [low, high]) in (0..).zip(&self.boxes.each) {
+        for ([low, high], thing) in self.boxes.each.iter().zip(0..) {
             // A box that ends where a cell begins does not reach into it.
             let cell = |step: u16, axis: usize| usize::from((step - self.boxes.whole[0][axis]) / self.size);
             let [x, y, z] = [0, 1, 2].map(|axis| cell(low[axis], axis)..=cell(high[axis] - 1, axis));
