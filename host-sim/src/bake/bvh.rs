@@ -34,8 +34,7 @@ impl Bvh {
     /// Builds the tree over things that lie in boxes, at most 65535.
     pub fn build(things: &[Bounds]) -> Self {
         // Where there are more nodes than a link can name, leaves are made larger and boxes dearer.
-        let sizes = (0..).map(|power| 1 << power);
-        sizes.map(|size| Self::with_leaves(things, size)).find(|bvh| bvh.nodes.len() <= 65_535).unwrap()
+        (1..).map(|size| Self::with_leaves(things, size)).find(|bvh| bvh.nodes.len() <= 65_535).unwrap()
     }
 
     /// Builds the tree with leaves so many times as large as they are best.

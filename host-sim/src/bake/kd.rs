@@ -8,8 +8,12 @@ use std::collections::VecDeque;
 /// Is how many splits may lie on the way to a leaf: as many as the core remembers.
 const DEPTH: usize = 32;
 
+/// Is how many things a leaf holds without being cut, if there are nodes enough: below it the tree grows several times
+/// larger, for things that lie in ever more leaves.
+const LEAF: usize = 4;
+
 /// Is what it costs to look at a split, where asking a thing costs 1.
-const SPLIT_COST: f64 = 0.15;
+const SPLIT_COST: f64 = 0.3;
 
 /// Is the share of the cost that is left where a split cuts off empty space (I. Wald and V. Havran 2006).
 const EMPTY_SHARE: f64 = 0.8;
@@ -34,12 +38,13 @@ struct Part {
 impl Kd {
     /// Builds the tree over things that lie in boxes, at most 65535.
     pub fn build(things: &[Bounds]) -> Self {
-        // Where there are more nodes than a link can name, splits are made dearer, and leaves so larger.
-        let costs = std::iter::successors(Some(SPLIT_COST), |cost| Some(cost * 1.5));
-        costs.map(|cost| Self::with_cost(things, cost)).find(|kd| kd.nodes.len() <= 65_535).unwrap()
+        // Where there are more nodes than a link can name, leaves are made larger and splits dearer.
+        let sizes = (0..).map(|power| 1 << power);
+        sizes.map(|size| Self::with_leaves(things, size)).find(|kd| kd.nodes.len() <= 65_535).unwrap()
     }
 
-    fn with_cost(things: &[Bounds], cost: f64) -> Self {
+    /// Builds the tree with leaves so many times as large as they are best.
+    fn with_leaves(things: &[Bounds], size: usize) -> Self {
         let boxes = Boxes::new(things);
         let mut kd = Self { nodes: vec![], lists: Lists::new(), boxes };
         if things.is_empty() {
@@ -48,7 +53,9 @@ impl Kd {
         let root = Part { bounds: kd.boxes.whole, things: kd.boxes.all(), depth: 0 };
         let mut parts = VecDeque::from([root]);
         while let Some(part) = parts.pop_front() {
-            let cut = if part.depth < DEPTH { best_cut(&part, &kd.boxes.each, cost) } else { None };
+            let may_be_cut = part.depth < DEPTH && part.things.len() > LEAF * size;
+            let cost = SPLIT_COST * size as f64;
+            let cut = if may_be_cut { best_cut(&part, &kd.boxes.each, cost) } else { None };
             let Some(Cut { axis, at, .. }) = cut else {
                 let list = kd.lists.number(part.things);
                 kd.nodes.push(KdNode::Leaf { list });

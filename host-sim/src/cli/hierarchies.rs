@@ -24,6 +24,9 @@ pub(super) fn run(args: &HierarchiesArgs, out: &mut impl Write) -> Result<(), Er
         }
     }
     drop(progress);
+    if let Some(path) = &args.output {
+        png::write(path, &plot(&samples)).map_err(|error| Error::Write(path.clone(), error))?;
+    }
     for crowd in Crowd::ALL {
         table(out, crowd, samples.iter().filter(|sample| sample.crowd == crowd))?;
     }
@@ -33,7 +36,6 @@ pub(super) fn run(args: &HierarchiesArgs, out: &mut impl Write) -> Result<(), Er
          products, quotients and roots, those of the things asked included; times are those of f32 on this computer."
     )?;
     if let Some(path) = &args.output {
-        png::write(path, &plot(&samples)).map_err(|error| Error::Write(path.clone(), error))?;
         report::line(out, "file", path.display())?;
     }
     Ok(())
