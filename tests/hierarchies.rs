@@ -196,6 +196,21 @@ fn a_bvh_whose_links_do_not_make_a_tree_is_refused() {
 }
 
 #[test]
+fn a_bvh_of_as_many_nodes_as_there_may_be_is_taken() {
+    let nodes = (0..65_535_u32).map(|number| {
+        let parent = (number.saturating_sub(1) / 2) as u16;
+        if number < 32_767 {
+            BvhNode::new(WHOLE, (2 * number + 1) as u16, parent, 0, 0)
+        } else {
+            BvhNode::new(WHOLE, (number - 32_767) as u16, parent, 1, 0)
+        }
+    });
+    let nodes: &'static [BvhNode] = nodes.collect::<Vec<_>>().leak();
+    assert_eq!(Bvh { lattice: CUBE, nodes, count: 32_768, items: &[] }.check(), Ok(()));
+    assert_refused(&Bvh { lattice: CUBE, nodes, count: 32_767, items: &[] });
+}
+
+#[test]
 fn nodes_are_as_small_as_they_say() {
     assert_eq!([size_of::<BvhNode>(), size_of::<KdNode>(), size_of::<Octant>()], [18, 6, 2]);
 }

@@ -1,6 +1,7 @@
 //! Hierarchies leave out nothing: meshes with them are those without, to the bit.
 
 use host_sim::bake::{Accel, Bounds};
+use host_sim::growth::{Crowd, Thing};
 use host_sim::rounded::Rounded;
 use proptest::prelude::*;
 use scanray::math::Vec3;
@@ -106,4 +107,24 @@ leaves_out_no_triangle! {
     a_grid_leaves_out_no_triangle_in_f32: Grid in f32;
     a_grid_leaves_out_no_triangle_in_fixed_point: Grid in Fixed;
     a_grid_leaves_out_no_triangle_in_f64: Grid in f64;
+}
+
+#[test]
+fn as_many_things_as_a_number_can_name_are_held_by_every_kind() {
+    let balls = Crowd::Balls.sizes().pop().unwrap();
+    let bounds: Vec<Bounds> = balls.iter().map(Thing::bounds).collect();
+    for accel in Accel::ALL {
+        let hierarchy = accel.build(&bounds).leak::<f32>();
+        assert_eq!((hierarchy.count(), hierarchy.check()), (65_535, Ok(())), "{accel:?}");
+    }
+}
+
+#[test]
+fn over_nothing_nothing_is_met() {
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0));
+    for accel in Accel::ALL {
+        let hierarchy = accel.build(&[]).leak::<f64>();
+        assert_eq!((hierarchy.count(), hierarchy.check()), (0, Ok(())), "{accel:?}");
+        hierarchy.walk(&ray, &Interval::AHEAD, &mut |number| panic!("{accel:?} names {number}"));
+    }
 }
