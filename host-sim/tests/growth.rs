@@ -8,7 +8,8 @@ use host_sim::growth::{Crowd, Tally, Thing, measure};
 use scanray::Scalar;
 use std::collections::HashMap;
 
-/// Answers the operations of a ray over crowds of some hundreds and of some ten thousands, with how many they are.
+/// Answers the operations of a ray over crowds of some hundreds and of some ten thousands, with how many they
+/// are.
 fn growth(crowd: Crowd, accel: Accel) -> [(f64, f64); 2] {
     let sizes = crowd.sizes();
     let measured = |things: &Vec<Thing>| (things.len() as f64, measure(crowd, things, accel).operations);

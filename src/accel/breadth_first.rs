@@ -1,5 +1,5 @@
-/// Follows a tree whose nodes are listed breadth first, each one's children together: node by node it proves that each
-/// but the root is the child of one before it.
+/// Follows a tree whose nodes are listed breadth first, each one's children together: node by node it proves
+/// that each but the root is the child of one before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct BreadthFirst {
     /// How many nodes have been listed or named as children.

@@ -5,11 +5,11 @@ use crate::fault::Fault;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
 
-/// Is a box of equal cubes (A. Fujimoto et al. 1986; the walk of J. Amanatides and A. Woo 1987, "A Fast Voxel Traversal
-/// Algorithm for Ray Tracing").
+/// Is a box of equal cubes (A. Fujimoto et al. 1986; the walk of J. Amanatides and A. Woo 1987, "A Fast Voxel
+/// Traversal Algorithm for Ray Tracing").
 ///
-/// Of the walk's three distances only the one that the ray has passed is moved on, as there; but each is taken
-/// from its plane, not from the last one, so that no rounding adds up.
+/// Of the walk's three distances only the one that the ray has passed is moved on, as there; but each is
+/// taken from its plane, not from the last one, so that no rounding adds up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<S: 'static = f32> {
     /// The cube that the grid is told in.

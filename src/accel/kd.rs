@@ -7,15 +7,16 @@ use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
 use heapless::Vec;
 
-/// Is how many splits lie on the way to any leaf, at most: the walk remembers one place for each, 256 bytes in 32-bit
-/// numbers.
+/// Is how many splits lie on the way to any leaf, at most: the walk remembers one place for each, 256 bytes
+/// in 32-bit numbers.
 const DEPTH: usize = 32;
 
 /// Is a tree that cuts space in two by planes across the axes, and each part again (row K3; J. Bentley 1975).
 ///
-/// A ray goes through the parts in the order in which it meets them, and remembers the farther one of each split
-/// (V. Havran 2000, "Heuristic Ray Shooting Algorithms": the recursive walk with a stack). The parts it goes through
-/// fit together without a gap, whatever is rounded: each ends at the very number at which the next begins.
+/// A ray goes through the parts in the order in which it meets them, and remembers the farther one of each
+/// split (V. Havran 2000, "Heuristic Ray Shooting Algorithms": the recursive walk with a stack). The parts it
+/// goes through fit together without a gap, whatever is rounded: each ends at the very number at which the
+/// next begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kd<S: 'static = f32> {
     /// The cube that the tree is told in.

@@ -3,7 +3,9 @@ use crate::ray::{Interval, Ray};
 
 /// Is a cube in world space whose sides are cut into 65536 steps: places in it are told by 16 bits an axis.
 ///
-/// Boxes told by steps must be wider than what they hold by a share for rounding: [`Lattice::margin`].
+/// Boxes told by steps must be wider than what they hold, for what rounding makes of a ray: by a step, and by
+/// as much as coordinates in the world are rounded. Then walks may be off by less than that and still leave
+/// out nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice<S = f32> {
     /// The corner of the lowest coordinates.
@@ -39,15 +41,15 @@ struct Course<S> {
 }
 
 impl<S: Scalar> Course<S> {
-    /// Answers the distance at which the ray passes a step: before the start it is negative, and of what is never
-    /// passed as far as can be.
+    /// Answers the distance at which the ray passes a step: before the start it is negative, and of what is
+    /// never passed as far as can be.
     fn reach(&self, step: u16) -> S {
         let way = share::<S>(step) - self.start;
         if self.inverse == S::ZERO { self.reach_across(way) } else { way * self.inverse }
     }
 
-    /// Answers the distance in which the ray gets that far along an axis that it goes across: by a division, for
-    /// the reciprocal is out of range.
+    /// Answers the distance in which the ray gets that far along an axis that it goes across: by a division,
+    /// for the reciprocal is out of range.
     #[cold]
     #[inline(never)]
     fn reach_across(&self, way: S) -> S {
@@ -108,8 +110,8 @@ impl<S: Scalar> Lattice<S> {
     }
 }
 
-/// Tells whether a ray goes so steeply across an axis that the reciprocal of its slope is of no use: the angle
-/// is less than 2^-10.
+/// Tells whether a ray goes so steeply across an axis that the reciprocal of its slope is of no use: the
+/// angle is less than 2^-10.
 fn is_across<S: Scalar>(slope: S) -> bool {
     let least = S::SLACK + S::SLACK;
     let least = least + least;
@@ -138,8 +140,8 @@ impl<S: Scalar> Passage<S> {
         self.courses.get(axis).map_or(S::FAR, |course| course.reach(step))
     }
 
-    /// Answers the step at or below which the ray is along an axis at a distance, the nearest one where that is
-    /// outside the cube.
+    /// Answers the step at or below which the ray is along an axis at a distance, the nearest one where that
+    /// is outside the cube.
     pub fn step_at(&self, axis: usize, distance: S) -> u16 {
         let place =
             self.courses.get(axis).map_or(S::ZERO, |course| course.start.add_product(course.slope, distance));

@@ -43,7 +43,8 @@ pub trait Hierarchy<S: Scalar>: Debug + Sync {
     /// Answers how many things it holds: those numbered from 0.
     fn count(&self) -> u16;
 
-    /// Tells whether its links lead everywhere once and nowhere else, so that every walk ends.
+    /// Tells whether its links lead everywhere once and nowhere else, so that every walk ends, and whether it
+    /// names no thing but those that it holds.
     ///
     /// # Errors
     /// [`Fault::Hierarchy`].

@@ -9,20 +9,21 @@ use crate::ray::{Interval, Ray};
 /// Is how often the cube can be halved: then octants are a step wide.
 const LEVELS: usize = 16;
 
-/// Is a tree that cuts a cube into eight, and each part again (row K2; A. Glassner 1984, "Space Subdivision for Fast
-/// Ray Tracing").
+/// Is a tree that cuts a cube into eight, and each part again (row K2; A. Glassner 1984, "Space Subdivision
+/// for Fast Ray Tracing").
 ///
-/// A ray goes from leaf to leaf. A place in the next one is where it leaves the last one; the bits of its coordinates
-/// name the octants that lead to it, from the one on that both share. Each place is taken from the ray anew, so that
-/// no rounding adds up.
+/// A ray goes from leaf to leaf. A place in the next one is where it leaves the last one; the bits of its
+/// coordinates name the octants that lead to it, from the one on that both share. Each place is taken from
+/// the ray anew, so that no rounding adds up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Octree<S: 'static = f32> {
     /// The cube that is cut.
     pub lattice: Lattice<S>,
     /// The box around all things, in steps of the lattice.
     pub bounds: [[u16; 3]; 2],
-    /// What is cut into eight octants, the whole cube first, then level by level in the order in which octants name
-    /// them: never more than 32767. Bit 0 of an octant's place is set in the half of higher x, bit 1 of y, bit 2 of z.
+    /// What is cut into eight octants, the whole cube first, then level by level in the order in which
+    /// octants name them: never more than 32767. Bit 0 of an octant's place is set in the half of higher x,
+    /// bit 1 of y, bit 2 of z.
     pub branches: &'static [[Octant; 8]],
     /// How many things the lists name together.
     pub count: u16,
@@ -82,7 +83,8 @@ impl Place {
         }
     }
 
-    /// Goes to where a ray leaves the leaf that holds the place, unless that is beyond the ray's far end or the cube.
+    /// Goes to where a ray leaves the leaf that holds the place, unless that is beyond the ray's far end or
+    /// the cube.
     fn leave<S: Scalar>(&mut self, passage: &Passage<S>) -> Option<()> {
         let inner = u16::MAX >> 1 >> self.level;
         let ends = self.steps.map(|step| (step & !inner, step | inner));

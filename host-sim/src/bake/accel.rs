@@ -72,7 +72,8 @@ impl Built {
         }
     }
 
-    /// Counts the bytes that it takes in flash; of a tree of boxes, those of one whose things are listed in its order.
+    /// Counts the bytes that it takes in flash; of a tree of boxes, those of one whose things are listed in
+    /// its order.
     pub fn bytes(&self) -> usize {
         match self {
             Self::Bvh(bvh) => bvh.bytes(),

@@ -79,8 +79,8 @@ impl Grid {
     }
 }
 
-/// Answers the smallest cells that a box is cut into no more than `most` of, by their size, and how many of them lie
-/// along each axis. Of a cube, that is the cube root of `most`.
+/// Answers the smallest cells that a box is cut into no more than `most` of, by their size, and how many of
+/// them lie along each axis. Of a cube, that is the cube root of `most`.
 fn cut([low, high]: &Steps, most: f64) -> (u16, [u16; 3]) {
     let along = |size: u16| [0, 1, 2].map(|axis| (high[axis] - low[axis]).div_ceil(size).max(1));
     let fits = |cells: [u16; 3]| {

@@ -8,8 +8,8 @@ use std::collections::VecDeque;
 /// Is how many splits may lie on the way to a leaf: as many as the core remembers.
 const DEPTH: usize = 32;
 
-/// Is how many things a leaf holds without being cut, if there are nodes enough: below it the tree grows several times
-/// larger, for things that lie in ever more leaves.
+/// Is how many things a leaf holds without being cut, if there are nodes enough: below it the tree grows
+/// several times larger, for things that lie in ever more leaves.
 const LEAF: usize = 4;
 
 /// Is what it costs to look at a split, where asking a thing costs 1.
@@ -18,8 +18,8 @@ const SPLIT_COST: f64 = 0.3;
 /// Is the share of the cost that is left where a split cuts off empty space (I. Wald and V. Havran 2006).
 const EMPTY_SHARE: f64 = 0.8;
 
-/// Is a tree of planes, each where the surface heuristic says that rays ask least (J. MacDonald and K. Booth 1990):
-/// at an edge of some thing's box.
+/// Is a tree of planes, each where the surface heuristic says that rays ask least (J. MacDonald and K. Booth
+/// 1990): at an edge of some thing's box.
 #[derive(Clone, Debug)]
 pub struct Kd {
     boxes: Boxes,

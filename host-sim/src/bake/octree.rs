@@ -90,8 +90,8 @@ impl Part {
         })
     }
 
-    /// Tells whether rays ask less where the part is cut: those that meet a cube meet each of its octants in one of
-    /// four cases, by their surfaces.
+    /// Tells whether rays ask less where the part is cut: those that meet a cube meet each of its octants in
+    /// one of four cases, by their surfaces.
     fn is_worth_cutting(&self, boxes: &[Steps], most: usize) -> bool {
         if self.things.len() <= most || self.level >= LEVELS {
             return false;

@@ -33,7 +33,8 @@ pub(super) fn run(args: &HierarchiesArgs, out: &mut impl Write) -> Result<(), Er
     writeln!(
         out,
         "Means over rays from all around, each of which looks for the nearest thing. Operations are sums,\n\
-         products, quotients and roots, those of the things asked included; times are those of f32 on this computer."
+         products, quotients and roots, those of the things asked included; times are those of f32 on this\n\
+         computer."
     )?;
     if let Some(path) = &args.output {
         report::line(out, "file", path.display())?;

@@ -8,7 +8,8 @@ use scanray::{Shape, Sphere, Triangle, Vec3};
 pub enum Crowd {
     /// Triangles of a ball with bumps, finer and finer.
     Triangles,
-    /// Balls strewn in a cube, smaller and smaller: a ray through the cube meets about one, however many there are.
+    /// Balls strewn in a cube, smaller and smaller: a ray through the cube meets about one, however many
+    /// there are.
     Balls,
 }
 

@@ -29,7 +29,8 @@ fn color(accel: Accel) -> Rgb888 {
     }
 }
 
-/// Draws the operations of a ray against the number of things, both by powers of ten, a diagram for each crowd.
+/// Draws the operations of a ray against the number of things, both by powers of ten, a diagram for each
+/// crowd.
 pub fn plot(samples: &[Sample]) -> Picture {
     let diagrams: Vec<Diagram<'_>> = Crowd::ALL.iter().map(|crowd| Diagram::new(*crowd, samples)).collect();
     let [width, height] = [MARGIN[0] + FIELD[0] + RIGHT, 2 * MARGIN[1] + FIELD[1]];
