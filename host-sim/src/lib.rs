@@ -7,6 +7,7 @@ pub mod canvas;
 pub mod cli;
 pub mod compare;
 pub mod dither;
+pub mod growth;
 pub mod images;
 pub mod memory;
 pub mod meshes;

@@ -1,9 +1,9 @@
-//! Hierarchies leave out nothing: meshes and scenes with them are those without, to the bit.
+//! Hierarchies leave out nothing: meshes with them are those without, to the bit.
 
-use host_sim::bake::{Bounds, Bvh};
+use host_sim::bake::{Accel, Bounds};
+use host_sim::growth::{Crowd, Thing};
 use host_sim::rounded::Rounded;
 use proptest::prelude::*;
-use scanray::accel::{Every, Hierarchy};
 use scanray::math::Vec3;
 use scanray::ray::{Interval, Ray};
 use scanray::{Corners, Fixed, Intersect, Mesh, Normals};
@@ -11,26 +11,17 @@ use scanray::{Corners, Fixed, Intersect, Mesh, Normals};
 type Point = [f64; 3];
 
 /// Makes the same triangles twice: with a hierarchy, and asked one by one.
-fn meshes<S: Rounded>(
-    triangles: &[[Point; 3]],
-    hierarchy: &dyn Fn(&[Bounds]) -> &'static dyn Hierarchy<S>,
-) -> [&'static Mesh<S>; 2] {
+fn meshes<S: Rounded>(triangles: &[[Point; 3]], accel: Accel) -> [&'static Mesh<S>; 2] {
     let places: Vec<Vec3<S>> =
         triangles.iter().flatten().map(|p| Vec3::from_array(p.map(S::round))).collect();
     let numbers: Vec<[u16; 3]> = (0..triangles.len() as u16).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
     let bounds: Vec<Bounds> = triangles.iter().map(|corners| Bounds::around(*corners)).collect();
     let corners = Corners::Exact(places.leak());
     let numbers: &'static [[u16; 3]] = numbers.leak();
-    let every = Box::leak(Box::new(Every(triangles.len() as u16)));
-    let hierarchies: [&'static dyn Hierarchy<S>; 2] = [hierarchy(&bounds), every];
-    hierarchies.map(|hierarchy| {
-        let mesh = Mesh::new(numbers, corners, Normals::Flat, hierarchy);
+    [accel, Accel::None].map(|accel| {
+        let mesh = Mesh::new(numbers, corners, Normals::Flat, accel.build(&bounds).leak::<S>());
         &*Box::leak(Box::new(mesh))
     })
-}
-
-fn bvh<S: Rounded>(bounds: &[Bounds]) -> &'static dyn Hierarchy<S> {
-    Box::leak(Box::new(Bvh::build(bounds).leak::<S>()))
 }
 
 fn point(reach: f64) -> impl Strategy<Value = Point> {
@@ -74,9 +65,9 @@ fn rays() -> impl Strategy<Value = Vec<(Point, Point)>> {
 fn check<S: Rounded>(
     triangles: &[[Point; 3]],
     rays: &[(Point, Point)],
-    hierarchy: &dyn Fn(&[Bounds]) -> &'static dyn Hierarchy<S>,
+    accel: Accel,
 ) -> Result<(), TestCaseError> {
-    let [with, without] = meshes::<S>(triangles, hierarchy);
+    let [with, without] = meshes::<S>(triangles, accel);
     prop_assert_eq!(with.check(), Ok(()));
     for (from, toward) in rays {
         let vector = |p: &Point| Vec3::from_array(p.map(S::round));
@@ -90,21 +81,50 @@ fn check<S: Rounded>(
     Ok(())
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+macro_rules! leaves_out_no_triangle {
+    ($($test:ident: $accel:ident in $number:ty;)*) => {
+        proptest! {
+            #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
 
-    #[test]
-    fn a_bvh_leaves_out_no_triangle_in_f32(triangles in triangles(), rays in rays()) {
-        check::<f32>(&triangles, &rays, &bvh)?;
+            $(#[test]
+            fn $test(triangles in triangles(), rays in rays()) {
+                check::<$number>(&triangles, &rays, Accel::$accel)?;
+            })*
+        }
+    };
+}
+
+leaves_out_no_triangle! {
+    a_bvh_leaves_out_no_triangle_in_f32: Bvh in f32;
+    a_bvh_leaves_out_no_triangle_in_fixed_point: Bvh in Fixed;
+    a_bvh_leaves_out_no_triangle_in_f64: Bvh in f64;
+    a_kd_tree_leaves_out_no_triangle_in_f32: Kd in f32;
+    a_kd_tree_leaves_out_no_triangle_in_fixed_point: Kd in Fixed;
+    a_kd_tree_leaves_out_no_triangle_in_f64: Kd in f64;
+    an_octree_leaves_out_no_triangle_in_f32: Octree in f32;
+    an_octree_leaves_out_no_triangle_in_fixed_point: Octree in Fixed;
+    an_octree_leaves_out_no_triangle_in_f64: Octree in f64;
+    a_grid_leaves_out_no_triangle_in_f32: Grid in f32;
+    a_grid_leaves_out_no_triangle_in_fixed_point: Grid in Fixed;
+    a_grid_leaves_out_no_triangle_in_f64: Grid in f64;
+}
+
+#[test]
+fn as_many_things_as_a_number_can_name_are_held_by_every_kind() {
+    let balls = Crowd::Balls.sizes().pop().unwrap();
+    let bounds: Vec<Bounds> = balls.iter().map(Thing::bounds).collect();
+    for accel in Accel::ALL {
+        let hierarchy = accel.build(&bounds).leak::<f32>();
+        assert_eq!((hierarchy.count(), hierarchy.check()), (65_535, Ok(())), "{accel:?}");
     }
+}
 
-    #[test]
-    fn a_bvh_leaves_out_no_triangle_in_fixed_point(triangles in triangles(), rays in rays()) {
-        check::<Fixed>(&triangles, &rays, &bvh)?;
-    }
-
-    #[test]
-    fn a_bvh_leaves_out_no_triangle_in_f64(triangles in triangles(), rays in rays()) {
-        check::<f64>(&triangles, &rays, &bvh)?;
+#[test]
+fn over_nothing_nothing_is_met() {
+    let ray = Ray::new(Vec3::ZERO, Vec3::new(1.0, 0.0, 0.0));
+    for accel in Accel::ALL {
+        let hierarchy = accel.build(&[]).leak::<f64>();
+        assert_eq!((hierarchy.count(), hierarchy.check()), (0, Ok(())), "{accel:?}");
+        hierarchy.walk(&ray, &Interval::AHEAD, &mut |number| panic!("{accel:?} names {number}"));
     }
 }

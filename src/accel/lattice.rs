@@ -3,7 +3,9 @@ use crate::ray::{Interval, Ray};
 
 /// Is a cube in world space whose sides are cut into 65536 steps: places in it are told by 16 bits an axis.
 ///
-/// Boxes told by steps must be wider than what they hold by a share for rounding: [`Lattice::margin`].
+/// Boxes told by steps must be wider than what they hold, for what rounding makes of a ray: by a step, and by
+/// as much as coordinates in the world are rounded. Then walks may be off by less than that and still leave
+/// out nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice<S = f32> {
     /// The corner of the lowest coordinates.
@@ -32,10 +34,33 @@ fn share<S: Scalar>(step: u16) -> S {
 struct Course<S> {
     /// Where it enters the cube.
     start: S,
+    /// How far it goes along the axis in a unit of distance.
+    slope: S,
     /// Distance to a side's length along the axis; 0 for a ray that goes across it.
     inverse: S,
-    /// How far a ray that goes across the axis strays along it within the cube.
-    stray: S,
+}
+
+impl<S: Scalar> Course<S> {
+    /// Answers the distance at which the ray passes a step: before the start it is negative, and of what is
+    /// never passed as far as can be.
+    fn reach(&self, step: u16) -> S {
+        let way = share::<S>(step) - self.start;
+        if self.inverse == S::ZERO { self.reach_across(way) } else { way * self.inverse }
+    }
+
+    /// Answers the distance in which the ray gets that far along an axis that it goes across: by a division,
+    /// for the reciprocal is out of range.
+    #[cold]
+    #[inline(never)]
+    fn reach_across(&self, way: S) -> S {
+        if self.slope != S::ZERO {
+            way.ratio(self.slope)
+        } else if way < S::ZERO {
+            S::FAR_BACK
+        } else {
+            S::FAR
+        }
+    }
 }
 
 /// Is a ray in a lattice's own measure: the cube's side is 1 long, and the way begins where the ray enters
@@ -74,15 +99,10 @@ impl<S: Scalar> Lattice<S> {
         }
         let entry = (near - slack).max(S::ZERO);
         let offset = (ray.at(entry) - self.low).to_array();
-        let mut courses = [Course { start: S::ZERO, inverse: S::ZERO, stray: S::ZERO }; 3];
+        let mut courses = [Course { start: S::ZERO, slope: S::ZERO, inverse: S::ZERO }; 3];
         for ((course, offset), slope) in courses.iter_mut().zip(offset).zip(along) {
-            let start = offset.ratio(self.side);
-            *course = if is_across(slope) {
-                // No way through the cube is longer than its diagonal, 1.74.
-                Course { start, inverse: S::ZERO, stray: slope.abs() + slope.abs() }
-            } else {
-                Course { start, inverse: slope.recip(), stray: S::ZERO }
-            };
+            let inverse = if is_across(slope) { S::ZERO } else { slope.recip() };
+            *course = Course { start: offset.ratio(self.side), slope, inverse };
         }
         let mut passage = Passage { courses, entry, side: self.side, far: S::ZERO };
         passage.look_up_to(far);
@@ -90,8 +110,8 @@ impl<S: Scalar> Lattice<S> {
     }
 }
 
-/// Tells whether a ray goes so steeply across an axis that the reciprocal of its slope is of no use: the angle
-/// is less than 2^-10.
+/// Tells whether a ray goes so steeply across an axis that the reciprocal of its slope is of no use: the
+/// angle is less than 2^-10.
 fn is_across<S: Scalar>(slope: S) -> bool {
     let least = S::SLACK + S::SLACK;
     let least = least + least;
@@ -105,20 +125,46 @@ impl<S: Scalar> Passage<S> {
         self.far = (far - self.entry).ratio(self.side) + S::PARALLEL;
     }
 
+    /// Answers the far end.
+    pub fn far(&self) -> S {
+        self.far
+    }
+
     /// Tells whether the ray goes toward lower coordinates along an axis.
     pub fn descends(&self, axis: usize) -> bool {
-        self.courses.get(axis).is_some_and(|course| course.inverse < S::ZERO)
+        self.courses.get(axis).is_some_and(|course| course.slope < S::ZERO)
+    }
+
+    /// Answers the distance at which the ray passes a step along an axis.
+    pub fn reach(&self, axis: usize, step: u16) -> S {
+        self.courses.get(axis).map_or(S::FAR, |course| course.reach(step))
+    }
+
+    /// Answers the step at or below which the ray is along an axis at a distance, the nearest one where that
+    /// is outside the cube.
+    pub fn step_at(&self, axis: usize, distance: S) -> u16 {
+        let place =
+            self.courses.get(axis).map_or(S::ZERO, |course| course.start.add_product(course.slope, distance));
+        u16::try_from(place.light_bits() >> 8).unwrap_or(u16::MAX)
     }
 
     /// Tells whether the ray meets a box before its far end.
-    pub fn meets(&self, [low, high]: &Steps) -> bool {
+    pub fn meets(&self, bounds: &Steps) -> bool {
+        self.span(bounds).is_some()
+    }
+
+    /// Answers the distances between which the ray is in a box before its far end.
+    #[inline(always)]
+    pub fn span(&self, [low, high]: &Steps) -> Option<(S, S)> {
         let (mut near, mut far) = (S::ZERO, self.far);
         for ((course, low), high) in self.courses.iter().zip(low).zip(high) {
-            let Course { start, inverse, stray } = *course;
+            let Course { start, slope, inverse } = *course;
             let (to_low, to_high) = (share::<S>(*low) - start, share::<S>(*high) - start);
             if inverse == S::ZERO {
+                // No way through the cube is longer than its diagonal, 1.74.
+                let stray = slope.abs() + slope.abs();
                 if to_low > stray || to_high < -stray {
-                    return false;
+                    return None;
                 }
                 continue;
             }
@@ -126,9 +172,9 @@ impl<S: Scalar> Passage<S> {
             near = near.max(first * inverse);
             far = far.min(last * inverse);
             if near > far {
-                return false;
+                return None;
             }
         }
-        true
+        Some((near, far))
     }
 }

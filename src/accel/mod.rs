@@ -5,13 +5,22 @@
 //! distance, and some that the ray does not meet: the shapes' own tests decide, so that pictures are those
 //! of asking everything, to the bit.
 
+mod breadth_first;
 mod bvh;
 mod every;
+mod grid;
+mod kd;
 mod lattice;
+mod lists;
+mod octree;
 
 pub use bvh::{Bvh, BvhNode};
 pub use every::Every;
+pub use grid::Grid;
+pub use kd::{Kd, KdNode};
 pub use lattice::Lattice;
+pub use lists::Lists;
+pub use octree::{Octant, Octree};
 
 use crate::fault::Fault;
 use crate::math::Scalar;
@@ -34,7 +43,8 @@ pub trait Hierarchy<S: Scalar>: Debug + Sync {
     /// Answers how many things it holds: those numbered from 0.
     fn count(&self) -> u16;
 
-    /// Tells whether its links lead everywhere once and nowhere else, so that every walk ends.
+    /// Tells whether its links lead everywhere once and nowhere else, so that every walk ends, and whether it
+    /// names no thing but those that it holds.
     ///
     /// # Errors
     /// [`Fault::Hierarchy`].

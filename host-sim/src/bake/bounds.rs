@@ -1,3 +1,5 @@
+use scanray::Intersect;
+
 /// Is a box along the axes, from its lowest to its highest corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -14,6 +16,15 @@ impl Bounds {
     /// Makes the smallest box around some points.
     pub fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Self {
         points.into_iter().fold(Self::NOTHING, |bounds, point| bounds.and(Self { low: point, high: point }))
+    }
+
+    /// Makes the box around a shape; `None` for one without an end.
+    pub fn of_shape(shape: &impl Intersect<f64>) -> Option<Self> {
+        let bounds = shape.hull().bounds()?;
+        Some(Self {
+            low: (bounds.center - bounds.half).to_array(),
+            high: (bounds.center + bounds.half).to_array(),
+        })
     }
 
     /// Makes the smallest box around two.

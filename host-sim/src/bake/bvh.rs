@@ -5,6 +5,9 @@ use scanray::accel::{self, BvhNode};
 /// Is into how many slices a box is cut to look for the best place to split it.
 const SLICES: usize = 16;
 
+/// Is how many things a leaf has at most, if there are nodes enough.
+const LEAF: usize = 4;
+
 /// Is what it costs to ask a box, where asking a thing costs 1: more than it takes in time, for a box takes
 /// flash too.
 const BOX_COST: f64 = 1.5;
@@ -31,14 +34,12 @@ struct Task {
 impl Bvh {
     /// Builds the tree over things that lie in boxes, at most 65535.
     pub fn build(things: &[Bounds]) -> Self {
-        // Where leaves of 4 need more nodes than a link can name, larger leaves do.
-        (2..)
-            .map(|power| Self::with_leaves(things, 1 << power))
-            .find(|bvh| bvh.nodes.len() <= 65_535)
-            .unwrap()
+        // Where there are more nodes than a link can name, leaves are made larger and boxes dearer.
+        (1..).map(|size| Self::with_leaves(things, size)).find(|bvh| bvh.nodes.len() <= 65_535).unwrap()
     }
 
-    fn with_leaves(things: &[Bounds], most: usize) -> Self {
+    /// Builds the tree with leaves so many times as large as they are best.
+    fn with_leaves(things: &[Bounds], size: usize) -> Self {
         let cube = Cube::around(&Bounds::of(things.iter().copied()));
         let mut bvh = Self { cube, nodes: vec![], order: (0..things.len() as u16).collect() };
         if things.is_empty() {
@@ -50,7 +51,7 @@ impl Bvh {
         while let Some(Task { number, parent, first, end }) = tasks.pop() {
             let part = &mut bvh.order[first..end];
             let bounds = Bounds::of(part.iter().map(|thing| things[usize::from(*thing)]));
-            let split = split(part, things, &bounds, most);
+            let split = split(part, things, &bounds, size);
             let node = &mut bvh.nodes[number];
             *node = BvhNode { bounds: cube.steps(&bounds), parent: parent as u16, ..leaf };
             let Some((axis, left)) = split else {
@@ -96,7 +97,8 @@ impl Bvh {
 
 /// Sorts the things of a node into two children and answers the axis along which these lie side by side and
 /// how many the first has; `None` for a leaf.
-fn split(part: &mut [u16], things: &[Bounds], bounds: &Bounds, most: usize) -> Option<(usize, usize)> {
+fn split(part: &mut [u16], things: &[Bounds], bounds: &Bounds, size: usize) -> Option<(usize, usize)> {
+    let (most, box_cost) = (LEAF * size, BOX_COST * size as f64);
     if part.len() < 2 {
         return None;
     }
@@ -105,7 +107,7 @@ fn split(part: &mut [u16], things: &[Bounds], bounds: &Bounds, most: usize) -> O
         (0..3).filter_map(|axis| best_slice(part, things, axis)).min_by(|a, b| a.cost.total_cmp(&b.cost));
     let leaf_cost = bounds.half_area() * part.len() as f64;
     match best {
-        Some(best) if part.len() > most || best.cost + BOX_COST * bounds.half_area() < leaf_cost => {
+        Some(best) if part.len() > most || best.cost + box_cost * bounds.half_area() < leaf_cost => {
             part.sort_by(|a, b| middle(*a, best.axis).total_cmp(&middle(*b, best.axis)));
             let left = part.partition_point(|thing| middle(*thing, best.axis) < best.place);
             Some((best.axis, left))

@@ -19,12 +19,13 @@ impl Cube {
     /// Makes the cube around a box.
     ///
     /// What is told in it is widened by 8 steps of fixed point, 2^-17, and by 8 roundings of `f32` at the
-    /// largest coordinate: where a ray enters the cube is a sum of two rounded products, and a triangle is met
-    /// 1/65536 beyond its edges.
+    /// largest coordinate: where a ray enters the cube is a sum of two rounded products, and a triangle is
+    /// met 1/65536 beyond its edges.
     pub fn around(bounds: &Bounds) -> Self {
         let widest = bounds.sides().into_iter().fold(0.0, f64::max);
         let margin = 2_f64.powi(-17) + bounds.largest() * 2_f64.powi(-20) + widest / STEPS;
-        // Two steps for rounding down and up, and no cube so small that fixed point has no digits left for it.
+        // Two steps for rounding down and up, and no cube so small that fixed point has no digits left for
+        // it.
         let side = ((widest + 4.0 * margin) * (1.0 + 4.0 / STEPS)).max(1.0 / 64.0);
         let low = std::array::from_fn(|axis| bounds.middle(axis) - 0.5 * side);
         let low = if bounds.low[0].is_finite() { low } else { [0.0; 3] };

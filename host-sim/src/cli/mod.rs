@@ -8,6 +8,7 @@ mod compare;
 mod dither;
 mod error;
 mod export;
+mod hierarchies;
 mod list;
 mod look;
 mod progress;
@@ -76,6 +77,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Walks(args) => walks::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
+        Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
     }

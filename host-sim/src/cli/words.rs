@@ -1,5 +1,6 @@
 //! The words of the command line for the choices that the rest of the crate knows.
 
+use crate::bake::Accel;
 use crate::dither::Method;
 use crate::panel::Panel;
 use crate::shot::{Approach, Number, Quality};
@@ -73,6 +74,22 @@ impl ValueEnum for Method {
             Self::Ordered => "By Bayer's square of eight",
             Self::BlueNoise => "By a mask of blue noise",
             Self::Diffused => "Handing the error to the right",
+        }))
+    }
+}
+
+impl ValueEnum for Accel {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(match self {
+            Self::Bvh => "A tree of boxes",
+            Self::Kd => "A tree of planes",
+            Self::Octree => "A tree of cubes",
+            Self::Grid => "Equal cubes",
+            Self::None => "Every thing is asked",
         }))
     }
 }

@@ -1,0 +1,151 @@
+use crate::rounded::Rounded;
+use scanray::Scalar;
+use scanray::math::{Arctangent, Wide};
+use std::cell::Cell;
+use std::ops::{Add, Mul, Neg, Sub};
+
+thread_local! {
+    static OPERATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Is `f64` that counts what is done with it: sums, products, quotients and roots, on each thread by itself.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Tally(f64);
+
+impl Tally {
+    /// Answers how many operations this thread has done so far.
+    pub fn operations() -> u64 {
+        OPERATIONS.get()
+    }
+
+    /// Takes the answer of one operation.
+    fn of(value: f64) -> Self {
+        OPERATIONS.set(OPERATIONS.get() + 1);
+        Self(value)
+    }
+}
+
+impl Add for Tally {
+    type Output = Self;
+    fn add(self, rhs: Self) -> Self {
+        Self::of(self.0 + rhs.0)
+    }
+}
+
+impl Sub for Tally {
+    type Output = Self;
+    fn sub(self, rhs: Self) -> Self {
+        Self::of(self.0 - rhs.0)
+    }
+}
+
+impl Mul for Tally {
+    type Output = Self;
+    fn mul(self, rhs: Self) -> Self {
+        Self::of(self.0 * rhs.0)
+    }
+}
+
+impl Neg for Tally {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Rounded for Tally {
+    fn round(value: f64) -> Self {
+        Self(value)
+    }
+}
+
+impl Wide for Tally {
+    const ZERO: Self = Self(0.0);
+
+    fn scale(self, numerator: i32, denominator: i32) -> Self {
+        Self::of(Wide::scale(self.0, numerator, denominator))
+    }
+}
+
+impl Scalar for Tally {
+    type Wide = Self;
+
+    const ZERO: Self = Self(<f64 as Scalar>::ZERO);
+    const ONE: Self = Self(f64::ONE);
+    const HALF: Self = Self(f64::HALF);
+    const BELOW_ONE: Self = Self(f64::BELOW_ONE);
+    const PARALLEL: Self = Self(f64::PARALLEL);
+    const PI: Self = Self(f64::PI);
+    const FAR: Self = Self(f64::FAR);
+    const FAR_BACK: Self = Self(f64::FAR_BACK);
+    const SLACK: Self = Self(f64::SLACK);
+    const FADED: Self = Self(f64::FADED);
+    const LIMIT: Self = Self(f64::LIMIT);
+    const SKIN: Self = Self(f64::SKIN);
+    const ARCTANGENT: Arctangent<Self> = Arctangent { sixteenth: Self::ONE, series: &[] };
+
+    fn from_i32(n: i32) -> Self {
+        Self(f64::from(n))
+    }
+
+    fn mul_wide(self, rhs: Self) -> Self {
+        self * rhs
+    }
+
+    fn narrow(wide: Self) -> Self {
+        wide
+    }
+
+    fn sqrt(wide: Self) -> Self {
+        Self::of(Scalar::sqrt(wide.0))
+    }
+
+    fn div(numerator: Self, denominator: Self) -> Self {
+        Self::of(f64::div(numerator.0, denominator.0))
+    }
+
+    fn ratio(self, divisor: Self) -> Self {
+        Self::div(self, divisor)
+    }
+
+    fn recip(self) -> Self {
+        Self::of(Scalar::recip(self.0))
+    }
+
+    fn floor(wide: Self) -> i32 {
+        <f64 as Scalar>::floor(wide.0)
+    }
+
+    fn fract(wide: Self) -> Self {
+        Self(<f64 as Scalar>::fract(wide.0))
+    }
+
+    fn pow_unit(self, exponent: u16) -> Self {
+        Self::of(self.0.pow_unit(exponent))
+    }
+
+    fn exp_neg(self) -> Self {
+        Self::of(self.0.exp_neg())
+    }
+
+    fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
+        let (unit, length) = f64::normalize(v.map(|value| value.0))?;
+        Some((unit.map(Self::of), Self::of(length)))
+    }
+
+    fn light_bits(self) -> u32 {
+        self.0.light_bits()
+    }
+
+    fn from_light_bits(bits: u32) -> Self {
+        Self(f64::from_light_bits(bits))
+    }
+
+    fn next_up(self) -> Self {
+        Self(Scalar::next_up(self.0))
+    }
+
+    fn in_range(self) -> bool {
+        self.0.in_range()
+    }
+}
