@@ -107,15 +107,15 @@ fn use_as_file(bytes: Vec<u8>) {
 static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scene_file_random");
     std::fs::create_dir_all(&folder).unwrap();
-    for entry in scenes::all() {
+    for entry in scenes::all().filter(|entry| describe(entry.double).is_ok()) {
         export(&entry, &folder, entry.name());
     }
     folder
 });
 
 fn a_scene() -> impl Strategy<Value = Vec<u8>> {
-    let texts: Vec<String> =
-        scenes::all().map(|entry| write(&describe(entry.double).unwrap()).unwrap()).collect();
+    let sayable = scenes::all().filter_map(|entry| describe(entry.double).ok());
+    let texts: Vec<String> = sayable.map(|description| write(&description).unwrap()).collect();
     prop::sample::select(texts).prop_map(String::into_bytes)
 }
 

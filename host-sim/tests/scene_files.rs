@@ -65,9 +65,19 @@ fn assert_comes_back_in<S: HostNumber>(entry: &Entry, description: &Description)
     assert_eq!((description.size, description.about.as_str()), (view.size, view.about), "{name}");
 }
 
+/// Lists the scenes of meshes and voxels, for which files have no words.
+const UNSAYABLE: [&str; 4] = ["teapot", "knot", "phantom", "isosurface"];
+
 #[test]
-fn every_scene_of_the_gallery_comes_back_from_a_file_in_every_number_to_the_bit() {
-    for entry in scenes::all() {
+fn meshes_and_volumes_are_refused_and_nothing_else_of_the_gallery() {
+    let refused: Vec<&str> =
+        scenes::all().filter(|entry| describe(entry.double).is_err()).map(|entry| entry.name()).collect();
+    assert!(UNSAYABLE.iter().all(|name| refused.contains(name)) && refused.len() == 4, "{refused:?}");
+}
+
+#[test]
+fn every_other_scene_of_the_gallery_comes_back_from_a_file_in_every_number_to_the_bit() {
+    for entry in scenes::all().filter(|entry| !UNSAYABLE.contains(&entry.name())) {
         let description = there_and_back(&entry);
         assert_comes_back_in::<f64>(&entry, &description);
         assert_comes_back_in::<f32>(&entry, &description);
