@@ -9,6 +9,8 @@ pub mod compare;
 pub mod dither;
 pub mod images;
 pub mod memory;
+pub mod model;
+pub mod obj;
 pub mod panel;
 pub mod picture;
 pub mod png;

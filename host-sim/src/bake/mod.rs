@@ -1,9 +1,20 @@
 //! What is made on a desktop so that a device only has to walk it.
+//!
+//! Hierarchies over things in boxes ([`Bvh`]), what of a mesh is told in few bits ([`grid`], [`octahedron`]), and
+//! whole scenes as Rust source ([`source`], [`mod@file`]).
 
+mod accel;
+mod bill;
 mod bounds;
 mod bvh;
 mod cube;
+pub mod file;
+pub mod grid;
+pub mod octahedron;
+pub mod source;
 
+pub use accel::{Accel, Built};
+pub use bill::Bill;
 pub use bounds::Bounds;
 pub use bvh::Bvh;
 pub use cube::Cube;

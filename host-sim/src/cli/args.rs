@@ -1,3 +1,4 @@
+use super::bake_args::BakeArgs;
 use super::look::{Curve, Look, size};
 use super::rays::Rays;
 use crate::bench::{CHIPS, Chip};
@@ -20,6 +21,7 @@ use std::path::PathBuf;
         scanray render c-ray --panel mono           draw a scene as a black and white panel shows it\n  \
         scanray export simple -o mine.ron           write a scene as a file, to be changed\n  \
         scanray render mine.ron                     draw the scene of a file\n  \
+        scanray bake model.obj -o model.rs          make a model data of a program\n  \
         scanray show three-spheres                  walk around a scene in a window\n  \
         scanray compare --all                       judge every number by the reference"
 )]
@@ -47,6 +49,8 @@ pub(super) enum Command {
     Bench(BenchArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
     Race(RaceArgs),
+    /// Write a scene or a model as Rust source, for a program without files
+    Bake(BakeArgs),
     /// Name the scenes of the gallery, and of files
     List(ListArgs),
     /// Write a scene as a file that every command takes in its place, to be changed

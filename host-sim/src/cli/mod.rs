@@ -3,6 +3,8 @@
 mod adaptive;
 mod approaches;
 mod args;
+mod bake;
+mod bake_args;
 mod bench;
 mod compare;
 mod dither;
@@ -74,6 +76,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Dither(args) => dither::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
+        Command::Bake(args) => bake::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
     }

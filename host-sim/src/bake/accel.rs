@@ -1,0 +1,40 @@
+use super::source::{Literal, Written};
+use super::{Bounds, Bvh};
+use clap::ValueEnum;
+use scanray::accel::Every;
+
+/// Names a kind of hierarchy.
+///
+/// To add one: a variant, its arm in [`Accel::build`], and its [`Written`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Accel {
+    /// A tree of boxes.
+    #[default]
+    Bvh,
+    /// None: everything is asked.
+    None,
+}
+
+/// Is a hierarchy that was built, in a number.
+#[derive(Clone, Debug)]
+pub struct Built<S: Literal> {
+    /// The order in which it takes the things to be listed; none if it takes them as they are.
+    pub order: Option<Vec<u16>>,
+    /// The hierarchy.
+    pub tree: &'static dyn Written<S>,
+}
+
+impl Accel {
+    /// Builds a hierarchy over things that lie in boxes, at most 65535; it stays in memory as long as the
+    /// program runs.
+    pub fn build<S: Literal>(self, boxes: &[Bounds]) -> Built<S> {
+        match self {
+            Self::Bvh => {
+                let bvh = Bvh::build(boxes);
+                let tree = Box::leak(Box::new(bvh.leak_in_order()));
+                Built { order: Some(bvh.order), tree }
+            }
+            Self::None => Built { order: None, tree: Box::leak(Box::new(Every(boxes.len() as u16))) },
+        }
+    }
+}
