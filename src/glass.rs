@@ -8,7 +8,8 @@ use crate::math::{Scalar, Vec3, Wide};
 ///
 /// The inside is where the normal does not point to: only shapes that bound a body can be of glass, each
 /// by itself. One may stand wholly inside another; what it stands in is found where light passes its
-/// surface. What an eye inside of glass sees directly keeps its colour.
+/// surface. Where the eye is inside of glass, what it sees before a ray's first surface of glass, directly or
+/// in mirrors, keeps its colour.
 ///
 /// ```
 /// use scanray::{Fresnel, Glass, Material, Rgb};

@@ -31,7 +31,8 @@
 //! ```text
 //! scene (flash) -> camera: axes and window, once a picture
 //!   -> row: rays by forward differences; spans: which objects can be met, between which columns
-//!     -> eight pixels: visibility -> surface -> shade -> mirrors, level by level -> linear light
+//!     -> eight rays, of one pixel each or several: visibility -> surface -> shade
+//!         -> mirrors, level by level; glass, ray by ray -> the mean of a pixel's rays: linear light
 //!       -> exposure, transfer curve, dithering -> the panel's colour -> scanline
 //!         -> fill_contiguous, or a buffer of the caller's
 //! ```

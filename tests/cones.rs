@@ -4,9 +4,11 @@
 mod kit;
 
 use kit::{Kit, ahead, scattered, scattered_point};
+use scanray::hit::Surface;
 use scanray::math::Scalar;
 use scanray::ray::{Interval, Ray};
-use scanray::{Cone, Intersect};
+use scanray::{Cone, Intersect, Sphere};
+use std::f64::consts::TAU;
 
 in_every_number! {
     a_ray_across_a_cylinder_meets_its_near_side_and_from_inside_the_far_one,
@@ -18,6 +20,8 @@ in_every_number! {
     what_bounces_off_does_not_meet_it_again_and_what_goes_through_does,
     ends_may_be_swapped,
     a_cone_as_large_as_the_range_is_met_where_it_is,
+    a_label_lies_on_a_can_as_it_does_on_a_ball,
+    turned_about_its_axis_a_point_moves_along_u_alone,
 }
 
 mod checks {
@@ -35,6 +39,12 @@ mod checks {
             cone([0.0, -0.0625, 0.0], 1.0, [0.0, 0.0625, 0.03125], 0.25),
             cone([-1.0, -1.0, -1.0], 0.03125, [1.0, 1.0, 1.0], 0.0625),
         ]
+    }
+
+    /// Answers the texture coordinates where a ray meets a shape.
+    fn coordinates<S: Scalar>(shape: &impl Intersect<S>, ray: &Ray<S>) -> [S; 2] {
+        let hit = shape.intersect(ray, &ahead()).expect("a hit");
+        shape.texture_coordinates(&shape.surface(ray, &hit))
     }
 
     /// Answers how far a point is off a part of a cone, outward above 0, by the definition.
@@ -83,7 +93,7 @@ mod checks {
             let surface = cylinder.surface(&ray, &hit.expect("a hit"));
             kit.assert_vector(surface.normal, [0.6, 0.0, 0.8]);
             kit.assert_vector(surface.point, [0.6, 2.0, 0.8]);
-            kit.assert_near(Some(read(surface.v)), 0.75);
+            kit.assert_near(Some(read(cylinder.texture_coordinates(&surface)[1])), 0.75);
             kit.assert_near(kit.seen(&cylinder, &kit.ray([0.0, 0.0, 0.0], [3.0, 0.0, 4.0])), 1.0);
             assert_eq!(kit.seen(&cylinder, &kit.ray([0.0, 0.0, 5.0], [0.0, 0.0, 1.0])), None);
             assert_eq!(kit.seen(&cylinder, &kit.ray([1.001, 0.0, 5.0], [0.0, 0.0, -1.0])), None);
@@ -107,7 +117,8 @@ mod checks {
             let surface = cone.surface(&ray, &hit);
             kit.assert_vector(surface.point, apex);
             kit.assert_vector(surface.normal, kit.plain(-ray.direction));
-            assert!(read(surface.v) > 0.9999 && surface.v < S::ONE);
+            let [_, v] = cone.texture_coordinates(&surface);
+            assert!(read(v) > 0.9999 && v < S::ONE);
             let out = cone.intersect_leaving(&Ray::new(surface.point, ray.direction), &ahead());
             kit.assert_near(kit.t(out), height);
             assert_eq!(out.map(|out| out.part), Some(1));
@@ -126,7 +137,7 @@ mod checks {
         kit.assert_near(kit.t(hit), 3.25);
         let surface = hat.surface(&ray, &hit.expect("a hit"));
         kit.assert_vector(surface.normal, [-0.8, 0.6, 0.0]);
-        kit.assert_near(Some(read(surface.v)), 0.5);
+        kit.assert_near(Some(read(hat.texture_coordinates(&surface)[1])), 0.5);
         // Nothing of the other half of the double cone is there.
         assert_eq!(kit.seen(&hat, &kit.ray([-4.0, 2.5, 0.0], [1.0, 0.0, 0.0])), None);
         // Along a line of the side, a little inside: in through the base, out near the apex.
@@ -199,8 +210,14 @@ mod checks {
                 let ray = kit.ray_at(from, inside(&kit, &cone, i));
                 let hit = cone.intersect(&ray, &ahead()).expect("aimed at the inside");
                 let surface = cone.surface(&ray, &hit);
-                // The tracer asks nothing that leaves outward.
-                assert!(cone.is_convex() && read(surface.normal.dot(ray.direction)) < 1e-4);
+                let slope = read(surface.normal.dot(ray.direction));
+                assert!(cone.is_convex() && slope < 1e-4);
+                // Asked of bumpy cones alone.
+                let outward = Ray::new(surface.point, ray.direction.reflect(surface.normal));
+                assert!(
+                    slope > -1e-3 || cone.intersect_leaving(&outward, &ahead()).is_none(),
+                    "cone {n}, ray {i}"
+                );
                 let through = Ray::new(surface.point, ray.direction);
                 let leaves = cone.intersect_leaving(&through, &ahead()).expect("the far side");
                 let far = kit.plain(cone.surface(&through, &leaves).point);
@@ -241,5 +258,66 @@ mod checks {
         let down = kit.ray([100.0, 1000.0, -200.0], [0.0, -1.0, 0.0]);
         kit.assert_near(kit.seen(&tower, &down), 100.0);
         assert_eq!(kit.seen(&tower, &kit.ray([401.0, 100.0, 1000.0], [0.0, 0.0, -1.0])), None);
+    }
+
+    pub fn a_label_lies_on_a_can_as_it_does_on_a_ball<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let can = Cone::new(kit.v(2.0, -1.0, 0.5), make(1.5), kit.v(2.0, 2.0, 0.5), make(0.5));
+        let ball = Sphere::new(kit.v(2.0, 0.5, 0.5), make(0.25));
+        for i in 0..2000 {
+            let level = 1.5 * scattered(i, 0) + 0.5;
+            let angle = TAU * scattered(i, 1);
+            let at_height = |y| {
+                let from = [2.0 + 9.0 * angle.cos(), y, 0.5 + 9.0 * angle.sin()];
+                kit.ray_at(from, [2.0, y, 0.5])
+            };
+            let [on_can, on_ball] =
+                [coordinates(&can, &at_height(level)), coordinates(&ball, &at_height(0.5))];
+            assert!((read(on_can[0]) - read(on_ball[0])).abs() < 1e-5, "ray {i}: {on_can:?}, {on_ball:?}");
+            assert!((read(on_can[1]) - (level + 1.0) / 3.0).abs() < 1e-5, "ray {i}: {on_can:?}");
+        }
+    }
+
+    /// Turns a vector about an axis of any length (Rodrigues 1840).
+    fn turned(v: [f64; 3], axis: [f64; 3], angle: f64) -> [f64; 3] {
+        let length = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let k = axis.map(|c| c / length);
+        let along = (0..3).map(|i| k[i] * v[i]).sum::<f64>() * (1.0 - angle.cos());
+        let across = [k[1] * v[2] - k[2] * v[1], k[2] * v[0] - k[0] * v[2], k[0] * v[1] - k[1] * v[0]];
+        [0, 1, 2].map(|i| v[i] * angle.cos() + across[i] * angle.sin() + k[i] * along)
+    }
+
+    pub fn turned_about_its_axis_a_point_moves_along_u_alone<S: Scalar>(
+        make: fn(f64) -> S,
+        read: fn(S) -> f64,
+    ) {
+        let kit = Kit(make, read);
+        for (n, cone) in cones(&kit).into_iter().enumerate().take(4) {
+            let (base, apex) = (kit.plain(cone.base), kit.plain(cone.apex));
+            let axis = [0, 1, 2].map(|i| apex[i] - base[i]);
+            for i in 1..1000 {
+                let from = scattered_point(i, false).map(|c| c + c.signum() * 3.0);
+                let ray = kit.ray_at(from, inside(&kit, &cone, i));
+                let hit = cone.intersect(&ray, &ahead()).expect("aimed at the inside");
+                let surface = cone.surface(&ray, &hit);
+                let point = kit.plain(surface.point);
+                let off_axis = [0, 1, 2].map(|i| point[i] - base[i]);
+                let quarter = turned(off_axis, axis, TAU / 4.0);
+                let there = Surface { point: kit.at([0, 1, 2].map(|i| base[i] + quarter[i])), ..surface };
+                let [[u, v], [turned_u, same_v]] =
+                    [surface, there].map(|place| cone.texture_coordinates(&place).map(read));
+                // Anticlockwise as seen from the apex, and near the axis as well as a number may.
+                let back = turned(off_axis, axis, TAU / 2.0);
+                let radius = (0..3).map(|i| (off_axis[i] - back[i]).powi(2)).sum::<f64>().sqrt() / 2.0;
+                let slack = 2e-5 + 1e-6 / radius;
+                let turn = (turned_u - u - 0.25).rem_euclid(1.0);
+                assert!(turn.min(1.0 - turn) < slack, "cone {n}, ray {i}: from {u} to {turned_u}");
+                assert!((same_v - v).abs() < 2e-4, "cone {n}, ray {i}: from {v} to {same_v}");
+                if surface.part > 0 {
+                    let rim = f64::from(surface.part - 1);
+                    assert!((v - rim).abs() < 2e-4, "cone {n}, ray {i}: {v} on a cap");
+                }
+            }
+        }
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use scanray::{RenderError, Renderer, RowError, Settings, Workspace};
-use support::{BusFault, StrictDisplay, camera, scene};
+use support::{BusFault, Panel, camera, scene};
 
 const SIZE: Size = Size::new(40, 30);
 
@@ -18,11 +18,12 @@ fn settings() -> Settings {
 #[test]
 fn a_picture_is_one_fill_a_row_from_top_to_bottom() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
-    let mut display = StrictDisplay::sized(40, 30);
+    let mut display = Panel::sized(40, 30).by_rows();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
     renderer.draw(&mut display).unwrap();
     assert!(display.is_full());
-    let rows: Vec<_> = (0..30).map(|y| Rectangle::new(Point::new(0, y), Size::new(40, 1))).collect();
+    let row = |y| Rectangle::new(Point::new(0, y), Size::new(40, 1));
+    let rows: Vec<_> = (0..30).map(|y| (row(y), false)).collect();
     assert_eq!(display.fills, rows);
 }
 
@@ -41,14 +42,13 @@ fn the_embedded_graphics_mock_display_accepts_the_picture() {
 #[test]
 fn a_display_error_comes_back_untouched_and_a_retry_draws_the_same_picture() {
     let mut workspace = Workspace::<f32, Rgb888, 40, 2>::new();
-    let mut whole = StrictDisplay::sized(40, 30);
+    let mut whole = Panel::sized(40, 30).by_rows();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
     renderer.draw(&mut whole).unwrap();
     for failing in 0..30 {
-        let mut display = StrictDisplay::sized(40, 30);
-        display.fails_after = Some(failing);
+        let mut display = Panel::sized(40, 30).by_rows();
+        display.fails_at = Some(failing);
         assert_eq!(renderer.draw(&mut display), Err(BusFault(failing)));
-        display.fails_after = None;
         renderer.draw(&mut display).unwrap();
         assert_eq!(display.pixels, whole.pixels, "after an error in row {failing}");
     }
@@ -58,9 +58,9 @@ fn a_display_error_comes_back_untouched_and_a_retry_draws_the_same_picture() {
 fn a_picture_in_the_middle_of_a_display_has_the_same_pixels() {
     let mut workspace = Workspace::<f32, Gray4, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut alone = StrictDisplay::sized(40, 30);
+    let mut alone = Panel::sized(40, 30).by_rows();
     renderer.draw(&mut alone).unwrap();
-    let mut larger = StrictDisplay::sized(100, 50);
+    let mut larger = Panel::sized(100, 50).by_rows();
     renderer.draw_at(Point::new(17, 9), &mut larger).unwrap();
     for (i, pixel) in alone.pixels.iter().enumerate() {
         assert_eq!(larger.pixels[(i / 40 + 9) * 100 + i % 40 + 17], *pixel);
@@ -72,9 +72,9 @@ fn a_picture_in_the_middle_of_a_display_has_the_same_pixels() {
 fn parts_put_together_are_the_whole_picture() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut whole = StrictDisplay::sized(40, 30);
+    let mut whole = Panel::sized(40, 30).by_rows();
     renderer.draw(&mut whole).unwrap();
-    let mut tiled = StrictDisplay::sized(40, 30);
+    let mut tiled = Panel::sized(40, 30).by_rows();
     // The last tiles reach over the edges of the picture.
     for (x, y) in (0..30).step_by(7).flat_map(|y| (0..40).step_by(11).map(move |x| (x, y))) {
         let part = Rectangle::new(Point::new(x, y), Size::new(11, 7));
@@ -87,7 +87,7 @@ fn parts_put_together_are_the_whole_picture() {
 fn a_part_outside_the_picture_draws_nothing() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut display = StrictDisplay::<Rgb565>::sized(40, 30);
+    let mut display = Panel::<Rgb565>::sized(40, 30).by_rows();
     let part = Rectangle::new(Point::new(60, 5), Size::new(4, 4));
     renderer.draw_part(&part, Point::zero(), &mut display).unwrap();
     let nothing = Rectangle::new(Point::new(3, 5), Size::new(0, 100));
@@ -99,7 +99,7 @@ fn a_part_outside_the_picture_draws_nothing() {
 fn a_display_that_does_not_begin_at_zero_is_drawn_from_its_own_corner() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut display = StrictDisplay::new(Rectangle::new(Point::new(-8, 5), SIZE));
+    let mut display = Panel::new(Rectangle::new(Point::new(-8, 5), SIZE)).by_rows();
     renderer.draw(&mut display).unwrap();
     assert!(display.is_full());
 }
@@ -108,7 +108,7 @@ fn a_display_that_does_not_begin_at_zero_is_drawn_from_its_own_corner() {
 fn rows_and_their_bus_bytes_are_those_of_the_picture_in_any_order() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut display = StrictDisplay::sized(40, 30);
+    let mut display = Panel::sized(40, 30).by_rows();
     renderer.draw(&mut display).unwrap();
     for y in [29, 0, 14, 15, 3] {
         let (mut colors, mut bytes) = ([Rgb565::BLACK; 40], [[0_u8; 2]; 40]);

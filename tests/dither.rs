@@ -8,7 +8,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use scanray::output::{BLUE_NOISE, Rounding};
 use scanray::{Adaptive, Dither, Encode, Quality, Renderer, Settings, Transfer, Workspace};
-use support::{StrictDisplay, camera, scene};
+use support::{Panel, camera, scene};
 
 const BLUE: Dither = Dither::Mask(&BLUE_NOISE);
 const ALL: [Dither; 4] = [Dither::None, Dither::Ordered, BLUE, Dither::Diffused];
@@ -109,9 +109,9 @@ fn check_parts(settings: Settings<f32, impl Quality>) {
     let size = Size::new(61, 30);
     let mut workspace = Workspace::<f32, Gray4, 61, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), size, settings, &mut workspace).unwrap();
-    let mut whole = StrictDisplay::sized(61, 30);
+    let mut whole = Panel::sized(61, 30).by_rows();
     renderer.draw(&mut whole).unwrap();
-    let mut tiled = StrictDisplay::sized(61, 30);
+    let mut tiled = Panel::sized(61, 30).by_rows();
     // From the right to the left, so that no remainder comes along by chance.
     for (x, y) in (0..30).step_by(7).flat_map(|y| (0..61).step_by(11).rev().map(move |x| (x, y))) {
         let part = Rectangle::new(Point::new(x, y), Size::new(11, 7));

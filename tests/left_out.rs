@@ -2,11 +2,16 @@
 
 mod support;
 
+use embedded_graphics::image::ImageRaw;
+use embedded_graphics::pixelcolor::Rgb888;
 use scanray::{
-    Cone, Fault, Glass, Light, Material, Model, Object, Rgb, Scene, SceneError, Shape, Sphere, Vec3,
+    Bitmap, Bump, Cone, Cube, Fault, Glass, Image, Light, Material, Model, Object, Rgb, Scene, SceneError,
+    Shape, Sky, Sphere, Texture, Vec3,
 };
 use support::v;
 
+static GREY: ImageRaw<Rgb888> = ImageRaw::new(&[128; 3], 1);
+const IMAGE: Image = Image::new(Bitmap::new(&GREY));
 const BALL: Shape = Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0));
 
 /// Checks a scene of one object against what this build ought to say of it.
@@ -31,8 +36,27 @@ fn a_scene_that_needs_what_was_left_out_is_refused_by_the_name_of_the_feature() 
     assert_carried("shapes", cfg!(feature = "shapes"), cone, plain, SceneError::Object);
     let glass = Material::matte(Rgb::BLACK).with_glass(Glass::new(1.0, 1.5));
     assert_carried("glass", cfg!(feature = "glass"), BALL, glass, SceneError::Material);
+    assert_carried(
+        "images",
+        cfg!(feature = "images"),
+        BALL,
+        Material::textured(Texture::Image(IMAGE)),
+        SceneError::Material,
+    );
+    let bumpy = plain.with_bump(Bump::heights(IMAGE, 0.1));
+    assert_carried("images", cfg!(feature = "images"), BALL, bumpy, SceneError::Material);
     let blinn = plain.with_model(Model::BlinnPhong);
     assert_carried("models", cfg!(feature = "models"), BALL, blinn, SceneError::Material);
+}
+
+#[test]
+fn a_sky_of_images_is_refused_where_images_were_left_out() {
+    static FACES: [Bitmap; 6] = [Bitmap::new(&GREY); 6];
+    let sky = Sky::Cube(Cube::new(&FACES));
+    let ought =
+        if cfg!(feature = "images") { Ok(()) } else { Err(SceneError::Sky(Fault::LeftOut("images"))) };
+    let scene: Scene = Scene::new(&[], &[], &[]).with_sky(sky);
+    assert_eq!(scene.check(), ought);
 }
 
 #[test]

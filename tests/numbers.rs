@@ -1,36 +1,10 @@
 //! The number types keep the error bounds their documentation states, on both sides.
 
-use scanray::math::{FixedWide, Scalar, Wide, tan_half, turns};
-use scanray::{Fixed, Vec3};
+mod bounds;
 
-const STEP: f64 = 1.0 / 1_048_576.0;
-
-/// Runs over values and demands that the worst error reaches the bound's neighbourhood but never
-/// passes it: a bound twenty times too wide fails as well.
-fn worst_error(bound: f64, errors: impl Iterator<Item = f64>) {
-    let worst = errors.fold(0.0, |worst: f64, error| {
-        assert!(error.is_finite());
-        worst.max(error.abs())
-    });
-    assert!(worst <= bound, "worst error {worst:e} passes the bound {bound:e}");
-    assert!(worst >= bound / 20.0, "worst error {worst:e}: the bound {bound:e} says too little");
-}
-
-/// Positive floats of every magnitude from 2^-120 to 2^120, 4096 to a doubling.
-fn floats() -> impl Iterator<Item = f32> {
-    (7_u32..247).flat_map(|e| (0..1 << 23).step_by(2039).map(move |m| f32::from_bits(e << 23 | m)))
-}
-
-/// Fixed-point values from one step to the end of the range, ever coarser.
-fn steps() -> impl Iterator<Item = Fixed> {
-    (0..31_u32)
-        .flat_map(|bits| (0..512_u64).map(move |m| (1_u64 << bits) + ((m << bits) >> 9)))
-        .map(|steps| Fixed::new(steps as f64 * STEP))
-}
-
-fn wide(value: Fixed) -> FixedWide {
-    value.mul_wide(Fixed::ONE)
-}
+use bounds::{STEP, floats, steps, wide, worst_error};
+use scanray::Fixed;
+use scanray::math::{FixedWide, Scalar, Wide};
 
 #[test]
 fn the_root_of_a_float_is_right_on_both_sides() {
@@ -130,14 +104,6 @@ fn fixed_point_products_are_right_to_a_step_and_saturate() {
 }
 
 #[test]
-fn sums_of_wide_products_saturate_instead_of_wrapping() {
-    let corner = Vec3::new(Fixed::MAX, Fixed::MAX, Fixed::MAX);
-    assert_eq!(corner.dot(corner), Fixed::MAX);
-    assert_eq!(corner.dot(-corner), Fixed::MIN);
-    assert!(corner.dot_wide(corner) > FixedWide::ZERO);
-}
-
-#[test]
 fn wide_fractions_of_fixed_point_numbers_are_exact() {
     let third = wide(Fixed::ONE).scale(1, 3);
     assert!((Fixed::narrow(third).to_f64() - 1.0 / 3.0).abs() <= STEP / 2.0);
@@ -147,142 +113,6 @@ fn wide_fractions_of_fixed_point_numbers_are_exact() {
     assert!((edge - 900.0 * 15_999.0 / 16_000.0).abs() <= STEP);
     let negative = Fixed::narrow(wide(Fixed::new(-900.0)).scale(15_999, 16_000)).to_f64();
     assert!((negative + edge).abs() <= STEP);
-}
-
-fn directions() -> impl Iterator<Item = [f64; 3]> {
-    let axis = || (-7..=7).map(|i| f64::from(i) * 0.137 + 0.0113);
-    axis().flat_map(move |x| axis().flat_map(move |y| axis().map(move |z| [x, y, z])))
-}
-
-fn unit_error<S: Scalar>(v: [f64; 3], make: fn(f64) -> S, read: fn(S) -> f64) -> f64 {
-    let made = v.map(make);
-    let back = made.map(read);
-    let length = back.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let (unit, measured) = S::normalize(made).expect("none of the vectors is zero");
-    let relative = (read(measured) - length).abs() / length.max(1.0);
-    let components = unit.into_iter().zip(back).map(|(u, c)| (read(u) - c / length).abs());
-    components.fold(relative, f64::max)
-}
-
-#[test]
-fn unit_vectors_are_right_on_both_sides_from_short_to_long() {
-    let scaled = |scale: f64| directions().map(move |v| v.map(|c| c * scale));
-    for scale in [1e-3, 1.0, 600.0] {
-        worst_error(2.0 * STEP, scaled(scale).map(|v| unit_error(v, Fixed::new, Fixed::to_f64)));
-    }
-    for scale in [1e-9, 1.0, 1e9] {
-        worst_error(4e-7, scaled(scale).map(|v| unit_error(v, |c| c as f32, f64::from)));
-        worst_error(1e-15, scaled(scale).map(|v| unit_error(v, |c| c, |c| c)));
-    }
-}
-
-/// Answers the errors of products of two vectors and of a reflection, in units of `unit(a, b)`.
-fn product_errors<S: Scalar>(
-    [a, b]: [[f64; 3]; 2],
-    make: fn(f64) -> S,
-    read: fn(S) -> f64,
-    unit: fn(f64) -> f64,
-) -> [f64; 4] {
-    let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-    let [p, q] = [a, b].map(|v| Vec3::from_array(v.map(make)));
-    let [a, b] = [p, q].map(|v| v.to_array().map(read));
-    let (normal, _) = q.normalize().expect("not zero");
-    let n = normal.to_array().map(read);
-    let e = unit(length(a) * length(b));
-    let cross = a[1] * b[2] - a[2] * b[1];
-    let mirrored = a[0] - 2.0 * dot(a, n) * n[0];
-    [
-        (read(p.dot(q)) - dot(a, b)) / (3.0 * e),
-        (read(p.cross(q).x) - cross) / (3.0 * e),
-        (read(p.reflect(normal).x) - mirrored) / (12.0 * unit(length(a))),
-        (read(p.length()) - length(a)) / (length(a) * 4e-7 + 2.0 * unit(0.0)),
-    ]
-}
-
-#[test]
-fn products_of_vectors_are_right_on_both_sides() {
-    let pairs = || directions().step_by(7).zip(directions().skip(5).step_by(5)).map(|(a, b)| [a, b]);
-    for which in 0..4 {
-        worst_error(
-            1.0,
-            pairs().map(|p| product_errors(p, Fixed::new, Fixed::to_f64, |_| STEP / 2.0)[which]),
-        );
-        worst_error(
-            1.0,
-            pairs().map(|p| product_errors(p, |x| x as f32, f64::from, |size| size * 6e-8)[which]),
-        );
-    }
-}
-
-#[test]
-fn a_vector_of_no_length_has_no_direction() {
-    assert!(Vec3::new(0.0_f32, 0.0, 0.0).normalize().is_none());
-    assert!(Vec3::new(f32::NAN, 0.0, 0.0).normalize().is_none());
-    assert!(Vec3::<Fixed>::ZERO.normalize().is_none());
-    assert!(Vec3::new(Fixed::MIN, Fixed::MIN, Fixed::MIN).normalize().is_some());
-}
-
-#[test]
-fn powers_of_cosines_are_right() {
-    let bases = || (0..=1000).map(|i| f64::from(i) / 1000.0);
-    for exponent in [0_u16, 1, 2, 10, 32, 142, 1000] {
-        let exact = |x: f64| x.powi(i32::from(exponent));
-        for x in bases() {
-            let float = (x as f32).pow_unit(exponent);
-            let bound = f64::from(exponent) * 6e-8 + 1e-7;
-            let value = exact(f64::from(x as f32));
-            let double = (x.pow_unit(exponent) - exact(x)).abs();
-            assert!(double <= f64::from(exponent) * 2e-16 * exact(x) + 1e-300, "{x}^{exponent} in f64");
-            assert!((f64::from(float) - value).abs() <= bound * value + 1e-30, "{x}^{exponent}");
-            let base = Fixed::new(x);
-            let fixed = base.pow_unit(exponent).to_f64() - exact(base.to_f64());
-            assert!(fixed.abs() <= 2.0 * STEP, "{x}^{exponent}: off by {} steps", fixed / STEP);
-        }
-    }
-    assert_eq!(Fixed::new(-0.5).pow_unit(2), Fixed::ZERO);
-    assert_eq!(Fixed::new(3.0).pow_unit(2), Fixed::ONE);
-}
-
-#[test]
-fn falling_exponentials_are_right_from_1_to_nothing() {
-    let ways = || (0..60_000).map(|i| f64::from(i) / 2000.0);
-    let off = |x: f32| f64::from(x.exp_neg()) / (-f64::from(x)).exp() - 1.0;
-    worst_error(2e-7 + 30.0 * 1e-7, ways().map(|x| off(x as f32)));
-    worst_error(2e-13, ways().map(|x| x.exp_neg() / (-x).exp() - 1.0));
-    let fixed = |x: f64| Fixed::new(x).exp_neg().to_f64() - (-Fixed::new(x).to_f64()).exp();
-    worst_error(3.0 * STEP, ways().map(fixed));
-    assert_eq!((1e30_f32.exp_neg(), f64::INFINITY.exp_neg(), Fixed::MAX.exp_neg()), (0.0, 0.0, Fixed::ZERO));
-    assert_eq!(((-3.0_f32).exp_neg(), Fixed::MIN.exp_neg()), (1.0, Fixed::ONE));
-    assert_eq!(f32::NAN.exp_neg(), 0.0);
-}
-
-#[test]
-fn nearly_known_lengths_are_brought_to_unit_length() {
-    let vectors = || directions().flat_map(|v| [-1e-3, -2e-4, 0.0, 1e-5, 3e-4, 0.5].map(|off| (v, off)));
-    let off = |(v, off): ([f64; 3], f64)| {
-        let (unit, length) =
-            Vec3::from_array(v).normalize_near(Vec3::from_array(v).length() * (1.0 + off))?;
-        let exact = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-        Some((unit.length() - 1.0).abs().max((length / exact - 1.0).abs()))
-    };
-    assert!(vectors().filter_map(off).all(|off| off < 1e-14));
-    let short = |v: [f64; 3]| Vec3::from_array(v.map(|c| c as f32)).normalize();
-    let off = |(unit, _): (Vec3<f32>, f32)| {
-        let stretched = (unit * 1.0003).straighten().to_array().map(f64::from);
-        stretched.iter().map(|c| c * c).sum::<f64>().sqrt() - 1.0
-    };
-    worst_error(4e-7, directions().filter_map(short).map(off));
-}
-
-#[test]
-fn tangents_of_half_angles_are_right() {
-    let angles = || (1..=1200).map(|i| f64::from(i) / 10.0);
-    let exact = |degrees: f64| (degrees.to_radians() / 2.0).tan();
-    worst_error(1e-6, angles().map(|a| f64::from(tan_half(a as f32)) / exact(f64::from(a as f32)) - 1.0));
-    worst_error(2e-15, angles().map(|a| tan_half(a) / exact(a) - 1.0));
-    let fixed = |a: f64| tan_half(Fixed::new(a)).to_f64() - exact(Fixed::new(a).to_f64());
-    worst_error(2e-5, angles().map(fixed));
 }
 
 #[test]
@@ -307,39 +137,6 @@ fn light_of_all_numbers_becomes_the_same_integers() {
     }
     assert_eq!(1.0_f64.light_bits(), 1 << 24);
     assert_eq!(f32::NAN.light_bits(), 0);
-}
-
-/// Answers the largest difference of angles from those of the standard library, all round the circle.
-fn errors_of_turns<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) -> impl Iterator<Item = f64> {
-    (0..200_000).map(move |i| {
-        let angle = (f64::from(i) + 0.5) / 200_000.0;
-        let (y, x) = (angle * std::f64::consts::TAU).sin_cos();
-        let (y, x) = (make(y), make(x));
-        let exact = read(y).atan2(read(x)) / std::f64::consts::TAU;
-        read(turns(y, x)) - exact.rem_euclid(1.0)
-    })
-}
-
-#[test]
-fn angles_are_right_all_round_the_circle() {
-    worst_error(3e-6, errors_of_turns(Fixed::new, Fixed::to_f64));
-    worst_error(2e-7, errors_of_turns(|x| x as f32, f64::from));
-    worst_error(4e-16, errors_of_turns(|x| x, |x| x));
-}
-
-#[test]
-fn the_angles_of_the_axes_are_quarters_in_every_number() {
-    fn check<S: Scalar>() {
-        let quarter = S::HALF * S::HALF;
-        let (zero, one) = (S::ZERO, S::ONE);
-        let axes = [(zero, one), (one, zero), (zero, -one), (-one, zero), (one, one), (zero, zero)];
-        let eighth = quarter * S::HALF;
-        let expected = [zero, quarter, S::HALF, S::HALF + quarter, eighth, zero];
-        assert_eq!(axes.map(|(y, x)| turns(y, x)), expected);
-    }
-    check::<f32>();
-    check::<Fixed>();
-    check::<f64>();
 }
 
 #[test]

@@ -9,81 +9,7 @@ use scanray::output::BLUE_NOISE;
 use scanray::render::Pointwise;
 use scanray::trace::RayCounts;
 use scanray::*;
-use support::{BusFault, camera, scene};
-
-/// Is a panel that keeps what it was sent, and can fail.
-struct Panel<C> {
-    area: Rectangle,
-    pixels: Vec<Option<C>>,
-    /// The areas filled, and whether with one colour.
-    fills: Vec<(Rectangle, bool)>,
-    /// The fill that fails.
-    fails_at: Option<usize>,
-}
-
-impl<C: PixelColor> Panel<C> {
-    fn new(size: Size) -> Self {
-        Self::at(Point::zero(), size)
-    }
-
-    fn at(corner: Point, size: Size) -> Self {
-        let pixels = vec![None; (size.width * size.height) as usize];
-        Self { area: Rectangle::new(corner, size), pixels, fills: Vec::new(), fails_at: None }
-    }
-
-    fn fill(
-        &mut self,
-        area: &Rectangle,
-        colors: impl IntoIterator<Item = C>,
-        solid: bool,
-    ) -> Result<(), BusFault> {
-        if self.fails_at == Some(self.fills.len()) {
-            self.fails_at = None;
-            return Err(BusFault(self.fills.len()));
-        }
-        assert!(!area.is_zero_sized() && area.intersection(&self.area) == *area, "{area:?}");
-        self.fills.push((*area, solid));
-        let mut colors = colors.into_iter();
-        for point in area.points() {
-            let place = point - self.area.top_left;
-            let place = place.y as usize * self.area.size.width as usize + place.x as usize;
-            self.pixels[place] = Some(colors.next().expect("a colour for each pixel"));
-        }
-        assert!(solid || colors.next().is_none(), "more colours than pixels");
-        Ok(())
-    }
-
-    fn written(&self) -> u32 {
-        self.fills.iter().map(|(area, _)| area.size.width * area.size.height).sum()
-    }
-}
-
-impl<C> Dimensions for Panel<C> {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
-}
-
-impl<C: PixelColor> DrawTarget for Panel<C> {
-    type Color = C;
-    type Error = BusFault;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), BusFault> {
-        panic!("pixels were drawn one by one");
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = C>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), BusFault> {
-        self.fill(area, colors, false)
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), BusFault> {
-        self.fill(area, std::iter::repeat(color), true)
-    }
-}
+use support::{BusFault, Panel, camera, scene};
 
 fn settings<Q: Pointwise>(quality: Q) -> Settings<f32, Q> {
     Settings::new().with_depth(2).with_quality(quality)
@@ -94,7 +20,7 @@ type Room<C> = Workspace<f32, C, 64, 2>;
 /// Draws the picture directly.
 fn direct<C: Encode + PixelColor, Q: Pointwise>(size: Size, settings: Settings<f32, Q>) -> Vec<Option<C>> {
     let mut workspace = Room::<C>::new();
-    let mut panel = Panel::new(size);
+    let mut panel = Panel::sized(size.width, size.height);
     let mut renderer = Renderer::new(&scene(), &camera(), size, settings, &mut workspace).unwrap();
     renderer.draw(&mut panel).unwrap();
     panel.pixels
@@ -107,7 +33,7 @@ fn refined<C: Encode + PixelColor, Q: Pointwise>(
     block: u8,
 ) -> (Panel<C>, RayCounts) {
     let mut workspace = Room::<C>::new();
-    let (mut panel, mut rays) = (Panel::new(size), RayCounts::default());
+    let (mut panel, mut rays) = (Panel::sized(size.width, size.height), RayCounts::default());
     let mut renderer = Renderer::new(&scene(), &camera(), size, settings, &mut workspace).unwrap();
     let mut progress = Progress::new(block);
     while renderer.watch_refining(&mut progress, Point::zero(), &mut panel, &mut rays).unwrap() {
@@ -174,7 +100,8 @@ fn fixed_point_ends_with_the_direct_picture() {
     let (view, size) = (&gallery::fixed::C_RAY, Size::new(48, 36));
     let mut workspace = Workspace::<Fixed, Rgb565, 48, 5>::new();
     let mut renderer = Renderer::new(&view.scene, &view.camera, size, view.settings, &mut workspace).unwrap();
-    let [mut direct, mut refined] = [Panel::<Rgb565>::new(size), Panel::new(size)];
+    let [mut direct, mut refined] =
+        [Panel::<Rgb565>::sized(size.width, size.height), Panel::sized(size.width, size.height)];
     renderer.draw(&mut direct).unwrap();
     let mut progress = Progress::new(16);
     while renderer.refine(&mut progress, &mut refined).unwrap() {}
@@ -185,13 +112,13 @@ fn fixed_point_ends_with_the_direct_picture() {
 fn the_whole_panel_shows_something_after_the_first_pass() {
     let size = Size::new(61, 37);
     let mut workspace = Room::new();
-    let mut panel = Panel::<Rgb565>::new(size);
+    let mut panel = Panel::<Rgb565>::sized(size.width, size.height);
     let mut renderer = Renderer::new(&scene(), &camera(), size, settings(Exact), &mut workspace).unwrap();
     let mut progress = Progress::new(16);
     while progress.side() == 16 {
         renderer.refine(&mut progress, &mut panel).unwrap();
     }
-    assert!(panel.pixels.iter().all(Option::is_some));
+    assert!(panel.is_full());
     assert_eq!(panel.written(), 61 * 37);
 }
 
@@ -202,7 +129,8 @@ fn a_picture_of_one_shade_is_finished_by_the_first_pass_dithered_too() {
     let mut workspace = Workspace::<f32, BinaryColor, 48, 0>::new();
     let settings = Settings::new().with_depth(0);
     let mut renderer = Renderer::new(&sky, &camera(), size, settings, &mut workspace).unwrap();
-    let [mut direct, mut panel] = [Panel::new(size), Panel::new(size)];
+    let [mut direct, mut panel] =
+        [Panel::sized(size.width, size.height), Panel::sized(size.width, size.height)];
     renderer.draw(&mut direct).unwrap();
     let mut progress = Progress::new(16);
     while progress.side() == 16 {
@@ -215,7 +143,7 @@ fn a_picture_of_one_shade_is_finished_by_the_first_pass_dithered_too() {
 #[test]
 fn it_goes_on_after_any_step_with_another_renderer() {
     let size = Size::new(61, 37);
-    let mut panel = Panel::<Rgb565>::new(size);
+    let mut panel = Panel::<Rgb565>::sized(size.width, size.height);
     let mut progress = Progress::new(8);
     let mut more = true;
     while more {
@@ -234,7 +162,7 @@ fn a_display_error_comes_back_untouched_and_the_same_step_can_be_tried_again() {
     let fills = refined::<Rgb565, _>(size, settings(Exact), 8).0.fills.len();
     for failing in 0..fills {
         let mut workspace = Room::new();
-        let mut panel = Panel::new(size);
+        let mut panel = Panel::sized(size.width, size.height);
         panel.fails_at = Some(failing);
         let mut renderer = Renderer::new(&scene(), &camera(), size, settings(Exact), &mut workspace).unwrap();
         let (mut progress, mut errors) = (Progress::new(8), vec![]);
@@ -259,7 +187,7 @@ fn it_is_drawn_at_any_corner() {
     let size = Size::new(24, 20);
     let mut workspace = Room::new();
     let mut renderer = Renderer::new(&scene(), &camera(), size, settings(Exact), &mut workspace).unwrap();
-    let mut panel = Panel::<Rgb565>::at(Point::new(-7, 11), size);
+    let mut panel = Panel::<Rgb565>::new(Rectangle::new(Point::new(-7, 11), size));
     let mut progress = Progress::new(16);
     while renderer.refine(&mut progress, &mut panel).unwrap() {}
     assert_eq!(panel.pixels, direct(size, settings(Exact)));

@@ -2,6 +2,7 @@
 
 mod support;
 
+use embedded_graphics::image::ImageRaw;
 use embedded_graphics::pixelcolor::{Gray4, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -11,11 +12,11 @@ use scanray::output::{BLUE_NOISE, Quantizer};
 use scanray::ray::{Interval, Ray};
 use scanray::trace::{Observer, RayKind};
 use scanray::{
-    Checker, Dither, Encode, Fault, Fixed, Intersect, Material, Object, RasterRenderer, RasterWorkspace,
-    RenderError, Renderer, Rgb, RowError, Scalar, Scene, SceneError, Settings, Shape, Sky, Sphere, Texture,
-    Workspace,
+    Bitmap, Bump, Camera, Checker, Cuboid, Dither, Encode, Fault, Fixed, Image, Intersect, Light, Material,
+    Object, Plane, RasterRenderer, RasterWorkspace, RenderError, Renderer, Rgb, Rings, RowError, Scalar,
+    Scene, SceneError, Settings, Shape, Sky, Sphere, Stripes, Texture, Triangle, Vec3, Workspace,
 };
-use support::{BusFault, StrictDisplay};
+use support::{BusFault, Panel};
 
 /// Is as wide as any picture of these tests.
 const WIDTH: usize = 320;
@@ -151,7 +152,15 @@ fn check<S: Gallery>() {
                 check_objects(view, &traced, &rasterized);
                 check_light(view, &traced, &rasterized);
             }
-            Err(RenderError::Scene(SceneError::Object(_, Fault::NotRasterized))) => {}
+            Err(RenderError::Scene(SceneError::Object(index, Fault::NotRasterized))) => {
+                let known = |shape| {
+                    matches!(
+                        shape,
+                        Shape::Sphere(_) | Shape::Plane(_) | Shape::Triangle(_) | Shape::Cuboid(_)
+                    )
+                };
+                assert!(!known(view.scene.objects[index].shape), "{}: object {index}", view.name);
+            }
             Err(error) => panic!("{}: {error}", view.name),
         }
     }
@@ -174,7 +183,7 @@ fn a_display_gets_the_rows_that_a_buffer_gets() {
     let (scene, camera) = (support::scene(), support::camera());
     let mut renderer = RasterRenderer::new(&scene, &camera, size, Settings::new(), &mut workspace).unwrap();
     assert_eq!(renderer.size(), size);
-    let mut display = StrictDisplay::<Rgb888>::new(Rectangle::new(Point::new(3, 5), size));
+    let mut display = Panel::<Rgb888>::new(Rectangle::new(Point::new(3, 5), size)).by_rows();
     renderer.draw(&mut display).unwrap();
     assert!(display.is_full());
     let mut row = [Rgb888::BLACK; 40];
@@ -182,7 +191,7 @@ fn a_display_gets_the_rows_that_a_buffer_gets() {
         renderer.render_row(y, &mut row).unwrap();
         assert!(shown.iter().copied().eq(row.map(Some)), "row {y}");
     }
-    display.fails_after = Some(display.fills.len() + 7);
+    display.fails_at = Some(display.fills.len() + 7);
     assert_eq!(renderer.draw(&mut display), Err(BusFault(37)));
 }
 
@@ -268,16 +277,60 @@ fn exposure_scales_the_light_as_it_does_for_the_tracer() {
     assert_eq!(light(2.0), twice);
 }
 
+/// Is 3 x 2 colours; as heights they are hills.
+static CARPET: ImageRaw<Rgb888> = ImageRaw::new(
+    &[90, 10, 200, 150, 60, 250, 128, 228, 255, /* below */ 30, 200, 180, 255, 130, 160, 100, 90, 230],
+    3,
+);
+
 #[test]
-fn a_ball_with_a_texture_is_refused_by_name() {
-    let board = Texture::Checker(Checker::new(Rgb::WHITE, Rgb::BLACK, 8.0));
-    let ball: Shape = Shape::Sphere(Sphere::new(support::v(0.0, 0.0, 0.0), 1.0));
-    let objects = [Object::new(ball, 0)];
-    let materials = [Material::textured(board)];
-    let scene = Scene::new(&objects, &materials, &[]);
-    let mut workspace = RasterWorkspace::<f32, 8>::new();
-    let refused =
-        RasterRenderer::new(&scene, &support::camera(), Size::new(8, 8), Settings::new(), &mut workspace)
-            .err();
-    assert_eq!(refused, Some(RenderError::Scene(SceneError::Object(0, Fault::NotRasterized))));
+fn textures_and_bumps_are_those_of_the_tracer() {
+    let image = Image::new(Bitmap::new(&CARPET)).with_tiles(6.0, 3.0);
+    let (red, blue) = (Rgb::new(0.9, 0.2, 0.1), Rgb::new(0.1, 0.3, 0.8));
+    // The lists of a view are never freed.
+    let materials = Box::leak(Box::new(
+        [
+            Texture::Image(image),
+            Texture::Checker(Checker::new(red, blue, 5.0)),
+            Texture::Stripes(Stripes::new(red, blue, [3.0, 4.0])),
+            Texture::Rings(Rings::new(red, blue, [0.5, 1.0], 2.0)),
+        ]
+        .map(|texture| {
+            Material::textured(texture).with_specular(Rgb::gray(0.5), 9).with_bump(Bump::heights(image, 0.05))
+        }),
+    ));
+    let v = Vec3::<f64>::new;
+    let objects = Box::leak(Box::new([
+        Object::new(Shape::Sphere(Sphere::new(v(-1.5, 0.9, 0.0), 0.9)), 0),
+        Object::new(Shape::Cuboid(Cuboid::new(v(0.6, -0.2, -0.5), v(2.0, 1.3, 0.7))), 1),
+        Object::new(
+            Shape::Triangle(Triangle::new(v(-2.0, -0.5, 2.0), v(0.5, -0.5, 1.5), v(-1.0, 0.7, 1.0))),
+            2,
+        ),
+        Object::new(Shape::Plane(Plane::new(v(0.0, -0.6, 0.0), v(0.1, 1.0, 0.2))), 3),
+    ]));
+    // A light at the eye: nothing that is seen is in shadow.
+    let eye = v(0.5, 2.0, 6.0);
+    let lights = Box::leak(Box::new([Light::point(eye, Rgb::WHITE)]));
+    let view = View {
+        name: "carpets",
+        about: "a scene of this test",
+        scene: Scene::new(objects, materials, lights).with_ambient(Rgb::gray(0.1)),
+        camera: Camera::perspective(eye, Vec3::ZERO, v(0.0, 1.0, 0.0), 45.0),
+        settings: Settings::new(),
+        size: [80, 60],
+    };
+    let (traced, rasterized) = (traced(&view), rasterized(&view).unwrap());
+    let (mut compared, mut same) = ([0; 4], 0);
+    for (a, b) in traced.iter().zip(&rasterized).filter(|(a, b)| a.object < 4 && a.object == b.object) {
+        let off = [a.light.r - b.light.r, a.light.g - b.light.g, a.light.b - b.light.b].map(f64::abs);
+        same += 1;
+        if a.tile == b.tile {
+            assert!(off.iter().all(|off| *off < 1e-9), "object {}: off by {off:?}", a.object);
+            compared[usize::from(a.object)] += 1;
+        }
+    }
+    assert!(compared.iter().all(|pixels| *pixels > 100), "{compared:?}");
+    // Rounding decides at the rims of texels alone.
+    assert!(compared.iter().sum::<i32>() * 100 > 99 * same, "{compared:?} of {same}");
 }

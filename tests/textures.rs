@@ -8,8 +8,8 @@ use scanray::hit::Surface;
 use scanray::math::Scalar;
 use scanray::ray::{Interval, Ray};
 use scanray::{
-    Bitmap, Cuboid, Filter, Fixed, Image, Intersect, Material, Model, Object, Plane, Procedural, Rgb, Sphere,
-    Texture, Triangle, Vec3,
+    Bitmap, Cone, Cuboid, Filter, Fixed, Image, Intersect, Material, Model, Object, Plane, Procedural, Rgb,
+    SmoothTriangle, Sphere, Texture, Triangle, Vec3, Vertex,
 };
 use support::picture::{NIGHT, ball, draw};
 
@@ -135,7 +135,9 @@ fn tangents_are_the_ways_the_coordinates_grow() {
             let surface = shape.surface(&ray, &shape.intersect(&ray, &Interval::AHEAD).expect("a hit"));
             (surface, shape.texture_coordinates(&surface))
         };
-        let (surface, here) = look(to);
+        let (surface, _) = look(to);
+        // A smooth triangle is lit beside where it is met.
+        let (_, here) = look(surface.point);
         for (along, tangent) in shape.tangents(&surface).into_iter().enumerate() {
             assert!((tangent.direction.length() - 1.0).abs() < 1e-9);
             let step = 1e-5;
@@ -152,6 +154,35 @@ fn tangents_are_the_ways_the_coordinates_grow() {
     check(&Cuboid::new(Vec3::new(-2.0, -3.0, -1.0), Vec3::new(2.5, 1.0, 1.5)), from, to);
     let corners = [(-3.0, -2.0, 0.0), (4.0, -1.0, 0.5), (0.0, 5.0, -1.0)].map(|(x, y, z)| Vec3::new(x, y, z));
     check(&Triangle::new(corners[0], corners[1], corners[2]), from, to);
+    let (low, high) = (Vec3::new(-0.5, -2.0, 0.25), Vec3::new(0.75, 3.0, -0.5));
+    check(&Cone::new(low, 2.0, high, 0.5), from, to);
+    check(&Cone::new(high, 1.5, low, 1.5), from, to);
+    let across = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize().expect("a plane").0;
+    let vertex = |i: usize, texture| Vertex::new(corners[i], across, texture);
+    let vertices = [vertex(0, [0.5, -1.0]), vertex(1, [2.0, 0.0]), vertex(2, [0.25, 3.0])];
+    check(&SmoothTriangle::new(Box::leak(Box::new(vertices))), from, to);
+}
+
+#[test]
+fn a_texture_of_the_users_sends_on_no_more_than_all_light_and_no_less_than_none() {
+    fn check<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        fn glaring<S: Scalar>(_: &Surface<S>) -> Rgb<S> {
+            Rgb::new(S::from_i32(7), -S::ONE, S::HALF)
+        }
+        let place = Surface {
+            point: Vec3::ZERO,
+            normal: Vec3::from_array([0.0, 0.0, 1.0].map(make)),
+            u: S::ZERO,
+            v: S::ZERO,
+            part: 0,
+        };
+        let color = Texture::Custom(Procedural::new(glaring)).color(&place);
+        assert_color(color, [1.0, 0.0, 0.5], read);
+    }
+    in_every_number!(check);
+    let broken: Procedural = Procedural::new(|_| Rgb::gray(f32::NAN));
+    let place = Surface { point: Vec3::ZERO, normal: Vec3::ZERO, u: 0.0, v: 0.0, part: 0 };
+    assert_eq!(broken.color(&place), Rgb::BLACK);
 }
 
 #[test]

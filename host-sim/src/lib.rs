@@ -9,6 +9,7 @@ pub mod compare;
 pub mod dither;
 pub mod images;
 pub mod memory;
+pub mod meshes;
 pub mod model;
 pub mod obj;
 pub mod panel;

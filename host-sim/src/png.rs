@@ -16,7 +16,8 @@ pub fn write(path: &Path, picture: &Picture) -> io::Result<()> {
         .map_err(into_io)
 }
 
-fn into_io(error: ImageError) -> io::Error {
+/// Answers what the file system says of a picture that cannot be written.
+pub(crate) fn into_io(error: ImageError) -> io::Error {
     match error {
         ImageError::IoError(error) => error,
         other => io::Error::other(other),

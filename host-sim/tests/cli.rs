@@ -86,6 +86,37 @@ fn a_scene_file_is_taken_wherever_a_scene_is() {
 }
 
 #[test]
+fn images_are_written_beside_a_scene_and_found_from_any_directory() {
+    let desk = Desk::new("images");
+    let told = stdout(&desk.run("export bump -o mine.ron"));
+    let files = ["mine-heights.png", "mine-normals.png", "mine.ron"];
+    assert_eq!(desk.files(), files);
+    let of_line = |line: &str| line.split_whitespace().last().map(str::to_owned);
+    assert_eq!(told.lines().filter_map(of_line).collect::<Vec<_>>(), files);
+
+    std::fs::create_dir(desk.0.join("elsewhere")).unwrap();
+    let elsewhere = Desk(desk.0.join("elsewhere"));
+    let path = desk.0.join("mine.ron");
+    for file in ["../mine.ron", path.to_str().unwrap()] {
+        let list = stdout(&elsewhere.run(&format!("list {file}")));
+        assert!(list.starts_with("mine  320x240  an orange, a golf ball"), "{list}");
+    }
+    for render in ["bump -o bump.png", "../mine.ron -o mine.png"] {
+        let output = elsewhere.run(&format!("render {render} --number fixed --size 64x48"));
+        assert!(output.status.success(), "{output:?}");
+    }
+    let [gallery, file] = ["bump.png", "mine.png"].map(|name| read(&elsewhere.0.join(name)));
+    assert!(gallery == file);
+
+    let says = ["the scene has images", "-o FILE.ron"];
+    assert_refused(&desk, "export bump -o -", &says);
+    assert_refused(&desk, "export mine.ron -o -", &says);
+    std::fs::remove_file(desk.0.join("mine-normals.png")).unwrap();
+    let says = ["cannot read the image ../mine-normals.png: there is no such file", "../mine.ron:20:", "^^^"];
+    assert_refused(&elsewhere, "render ../mine.ron", &says);
+}
+
+#[test]
 fn mistakes_of_a_scene_file_are_shown_with_their_line() {
     let desk = Desk::new("mistakes");
     assert!(desk.run("export simple").status.success());

@@ -29,7 +29,9 @@ fn every_example_is_a_scene_that_can_be_drawn() {
     let examples = blocks("ron");
     assert!(examples.len() >= 10, "only {} examples were found", examples.len());
     for example in examples {
-        let file = SceneFile::parse(Path::new("manual.ron"), whole(&example).into_bytes());
+        // The images of the examples lie beside the scenes.
+        let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/manual.ron");
+        let file = SceneFile::parse(&beside, whole(&example).into_bytes());
         let file = file.unwrap_or_else(|complaint| panic!("{complaint}\nin {example}"));
         let lists = file.description().lists::<Fixed>();
         assert_eq!(file.description().scene(&lists).check(), Ok(()), "{example}");
@@ -86,6 +88,8 @@ fn every_word_of_the_format_is_in_the_manual() {
         "settings: (transfer: Unknown)",
         "settings: (dither: Unknown)",
         "materials: { \"a\": (model: Unknown) }",
+        "materials: { \"a\": (texture: Image(filter: Unknown)) }",
+        "materials: { \"a\": (bump: Heights(image: (unknown: 1))) }",
         "materials: { \"a\": (glass: (unknown: 1)) }",
         "materials: { \"a\": (glass: (fresnel: Unknown)) }",
     ];
@@ -93,6 +97,7 @@ fn every_word_of_the_format_is_in_the_manual() {
         "camera: (projection: ?)",
         "sky: ?",
         "materials: { \"a\": (texture: ?) }",
+        "materials: { \"a\": (bump: ?) }",
         "lights: [?]",
         "objects: [(shape: ?)]",
     ];

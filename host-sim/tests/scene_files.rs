@@ -1,25 +1,55 @@
 //! Scene files say all that the gallery holds, and bring it back to the bit.
 
+mod scene_folder;
+
 use host_sim::panel::Panel;
 use host_sim::picture::trace;
 use host_sim::scene_file::{Description, SceneFile, describe, parse, write};
 use host_sim::scenes::{self, Entry, HostNumber};
-use scanray::Fixed;
+use scanray::{Bitmap, Fixed, Material, Object, Scalar, Scene, Shape, Sky};
+use scene_folder::{anywhere, export};
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
-/// Writes a scene of the gallery and reads the file.
+/// Writes a scene of the gallery with its images and reads the file.
 fn there_and_back(entry: &Entry) -> Description {
-    let description =
-        describe(entry.double).unwrap_or_else(|unsayable| panic!("{}: {unsayable}", entry.name()));
-    let text = write(&description).expect("what was described can be written");
-    let file = SceneFile::parse(Path::new(entry.name()), text.into_bytes());
+    let folder = tempfile::tempdir().unwrap();
+    let text = export(entry, folder.path(), "there");
+    let file = SceneFile::parse(&folder.path().join("there.ron"), text.into_bytes());
     file.unwrap_or_else(|complaint| panic!("{complaint}")).description().clone()
 }
 
 /// Demands that two values have the same bits; equality would take -0 for 0.
 fn assert_same(a: &impl Debug, b: &impl Debug, what: &str) {
-    assert_eq!(format!("{a:?}"), format!("{b:?}"), "{what}");
+    assert_eq!(anywhere(&format!("{a:?}")), anywhere(&format!("{b:?}")), "{what}");
+}
+
+/// Lists the images of a scene.
+fn bitmaps<S: Scalar>(scene: &Scene<'_, S>) -> Vec<Bitmap> {
+    let sky: &[Bitmap] = if let Sky::Cube(cube) = &scene.sky { cube.faces } else { &[] };
+    let of_material = |material: &Material<S>| {
+        [material.texture.image().copied(), material.bump.map(|bump| bump.image)].into_iter().flatten()
+    };
+    let of_object = |object: &Object<S>| {
+        if let Shape::Displaced(ball) = &object.shape { Some(ball.relief) } else { None }
+    };
+    let surfaces =
+        scene.materials.iter().flat_map(of_material).chain(scene.objects.iter().filter_map(of_object));
+    sky.iter().copied().chain(surfaces.map(|image| image.bitmap)).collect()
+}
+
+/// Demands that images have the same texels, and that the same of them are one.
+fn assert_same_images(a: &[Bitmap], b: &[Bitmap], what: &str) {
+    let texels = |image: &Bitmap| {
+        let [columns, rows] = image.size();
+        let row = |row| (0..columns).map(move |column| [column, row]);
+        (0..rows).flat_map(row).map(|place| image.texel(place)).collect::<Vec<_>>()
+    };
+    let one = |images: &[Bitmap]| {
+        images.iter().map(|image| images.iter().position(|first| first == image)).collect::<Vec<_>>()
+    };
+    assert_eq!(one(a), one(b), "{what}");
+    assert!(a.iter().map(texels).eq(b.iter().map(texels)), "{what}");
 }
 
 fn assert_comes_back_in<S: HostNumber>(entry: &Entry, description: &Description) {
@@ -27,27 +57,17 @@ fn assert_comes_back_in<S: HostNumber>(entry: &Entry, description: &Description)
     let lists = description.lists::<S>();
     let name = entry.name();
     // Bits of scene, camera, settings and size are all that a picture depends on.
-    assert_same(&description.scene(&lists), &view.scene, name);
+    let scene = description.scene(&lists);
+    assert_same(&scene, &view.scene, name);
+    assert_same_images(&bitmaps(&scene), &bitmaps(&view.scene), name);
     assert_same(&description.camera.in_number::<S>(), &view.camera, name);
     assert_same(&description.settings.in_number::<S>(), &view.settings, name);
     assert_eq!((description.size, description.about.as_str()), (view.size, view.about), "{name}");
 }
 
-/// Lists the scenes that files cannot say: they hold images.
-const WITH_IMAGES: [&str; 4] = ["textured", "bump", "displaced", "environment"];
-
 #[test]
-fn a_scene_with_images_is_refused_by_name_of_what_holds_them() {
-    for name in WITH_IMAGES {
-        let entry = scenes::find(name).expect("it is in the gallery");
-        let unsayable = describe(entry.double).map(|_| ()).expect_err("it holds images");
-        assert!(unsayable.to_string().starts_with("scene files have no words for "), "{name}: {unsayable}");
-    }
-}
-
-#[test]
-fn every_other_scene_of_the_gallery_comes_back_from_a_file_in_every_number_to_the_bit() {
-    for entry in scenes::all().filter(|entry| !WITH_IMAGES.contains(&entry.name())) {
+fn every_scene_of_the_gallery_comes_back_from_a_file_in_every_number_to_the_bit() {
+    for entry in scenes::all() {
         let description = there_and_back(&entry);
         assert_comes_back_in::<f64>(&entry, &description);
         assert_comes_back_in::<f32>(&entry, &description);
@@ -83,8 +103,9 @@ fn project(path: &str) -> PathBuf {
 
 #[test]
 fn the_scenes_beside_the_gallery_in_fixed_point_for_rgb565_are_what_has_been_looked_at() {
+    let entries = std::fs::read_dir(project("scenes")).unwrap().map(|entry| entry.unwrap().path());
     let files: Vec<PathBuf> =
-        std::fs::read_dir(project("scenes")).unwrap().map(|entry| entry.unwrap().path()).collect();
+        entries.filter(|path| path.extension().is_some_and(|kind| kind == "ron")).collect();
     assert!(files.len() >= 2, "{files:?}");
     for file in files {
         let entry = scenes::read(&file).unwrap_or_else(|failure| panic!("{failure}"));

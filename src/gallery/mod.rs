@@ -28,24 +28,24 @@ macro_rules! in_every_number {
         pub mod float {
             type S = f32;
             const fn n(value: f64) -> S { value as f32 }
-            $crate::gallery::with_helpers! { $($items)* }
+            $crate::gallery::with_makers! { $($items)* }
         }
         /// The scene in fixed point.
         pub mod fixed {
             type S = $crate::math::Fixed;
             const fn n(value: f64) -> S { S::new(value) }
-            $crate::gallery::with_helpers! { $($items)* }
+            $crate::gallery::with_makers! { $($items)* }
         }
         /// The scene in `f64`.
         pub mod double {
             type S = f64;
             const fn n(value: f64) -> S { value }
-            $crate::gallery::with_helpers! { $($items)* }
+            $crate::gallery::with_makers! { $($items)* }
         }
     };
 }
 
-macro_rules! with_helpers {
+macro_rules! with_makers {
     ($($items:tt)*) => {
         #[allow(unused_imports, reason = "no scene uses everything")]
         use $crate::{camera::*, brdf::CookTorrance, environment::*, gallery::View, glass::*, light::*, material::*,
@@ -61,7 +61,7 @@ macro_rules! with_helpers {
     };
 }
 
-use {in_every_number, with_helpers};
+use {in_every_number, with_makers};
 
 mod bump;
 mod business_card;
@@ -72,7 +72,9 @@ mod environment;
 mod first_light;
 mod glass;
 mod images;
+mod knot;
 mod material_table;
+mod meshes;
 mod mirror_levels;
 mod orthographic;
 mod playdate;
@@ -81,6 +83,7 @@ mod smooth;
 mod spots;
 mod stars;
 mod still_life;
+mod teapot;
 mod textured;
 mod three_spheres;
 mod tinyraytracer;
@@ -126,6 +129,7 @@ macro_rules! gallery_of {
             pub use super::environment::$module::VIEW as ENVIRONMENT;
             pub use super::first_light::$module::VIEW as FIRST_LIGHT;
             pub use super::glass::$module::VIEW as GLASS;
+            pub use super::knot::$module::VIEW as KNOT;
             pub use super::material_table::$module::VIEW as MATERIAL_TABLE;
             pub use super::mirror_levels::$module::VIEW as MIRROR_LEVELS;
             pub use super::orthographic::$module::VIEW as ORTHOGRAPHIC;
@@ -135,6 +139,7 @@ macro_rules! gallery_of {
             pub use super::spots::$module::VIEW as SPOTS;
             pub use super::stars::$module::VIEW as STARS;
             pub use super::still_life::$module::VIEW as STILL_LIFE;
+            pub use super::teapot::$module::VIEW as TEAPOT;
             pub use super::textured::$module::VIEW as TEXTURED;
             pub use super::three_spheres::$module::VIEW as THREE_SPHERES;
             pub use super::tinyraytracer::$module::VIEW as TINYRAYTRACER;
@@ -158,6 +163,8 @@ macro_rules! gallery_of {
                 STILL_LIFE,
                 SMOOTH,
                 Z_BUFFER,
+                TEAPOT,
+                KNOT,
                 TEXTURED,
                 BUMP,
                 DISPLACED,

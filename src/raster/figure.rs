@@ -4,7 +4,6 @@ use super::depths::{Fragment, Painter};
 use super::slice::Slice;
 use super::{ball, clearance, cuboid, level, triangle};
 use crate::fault::Fault;
-use crate::material::Material;
 use crate::math::{Scalar, Vec3};
 use crate::scene::{Scene, SceneError};
 use crate::shape::{Cuboid, Plane, Shape, Sphere, Triangle};
@@ -48,25 +47,14 @@ impl<'a, S: Scalar> Figure<'a, S> {
     }
 }
 
-impl<S: Scalar> Figure<'_, S> {
-    /// Tells whether a material asks for more than depths: bumps, or texture coordinates of a ball.
-    fn is_too_plain_for(&self, material: &Material<S>) -> bool {
-        material.bump.is_some() || (matches!(self, Self::Ball(_)) && material.texture.is_varied())
-    }
-}
-
 /// Answers a distance from an eye within which nothing of a scene stands.
 ///
 /// # Errors
-/// The first object of a shape or a material that is not known here.
+/// The first object of a shape that is not known here.
 pub(super) fn clearance<S: Scalar, X>(scene: &Scene<'_, S, X>, eye: Vec3<S>) -> Result<S, SceneError> {
     scene.objects.iter().enumerate().try_fold(S::FAR, |clear, (index, object)| {
-        let refused = SceneError::Object(index, Fault::NotRasterized);
-        let figure = Figure::of(&object.shape).ok_or(refused)?;
-        let material = scene.materials.get(usize::from(object.material));
-        if material.is_some_and(|material| figure.is_too_plain_for(material)) {
-            return Err(refused);
-        }
+        let figure = Figure::of(&object.shape);
+        let figure = figure.ok_or(SceneError::Object(index, Fault::NotRasterized))?;
         Ok(clear.min(figure.clearance(eye)))
     })
 }

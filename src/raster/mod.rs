@@ -18,8 +18,9 @@
 //! evenly growing numbers, see `ball.rs`.
 //!
 //! Work grows with the pixels that objects cover, not with pixels times objects, and none of it knows of
-//! more than one object: whatever needs another ray is lost, so there are no shadows and no mirrors, and
-//! glass is opaque. Bumps, and textures on balls, are refused. Lit places are lit by the tracer's own code.
+//! more than one object: whatever needs another ray is lost. There are no shadows, and mirrors and glass show
+//! their own surface alone, glass opaque, as the tracer has them at depth 0. Textures, bumps and light are the
+//! tracer's own code.
 //!
 //! Depths are told apart best near the eye. In fixed point, with the nearest thing one unit away, a depth z
 //! of a flat face is off by z^2 * 1e-7 at most: by 1e-5 at 10 and by 1e-3 at 100.

@@ -18,8 +18,9 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// Draws a scene row by row with a z-buffer, where [`Renderer`](crate::Renderer) traces rays.
 ///
-/// Both draw the same picture but for what takes further rays: here nothing casts a shadow and nothing
-/// mirrors. What is nearer to the eye than 1/1024 is not drawn. Rows do not depend on each other.
+/// Both draw the same picture but for what takes further rays: here nothing casts a shadow, and mirrors and
+/// glass show their own surface alone, as the tracer has them at depth 0, glass opaque. What is nearer to the
+/// eye than 1/1024 is not drawn. Rows do not depend on each other.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -144,10 +145,7 @@ impl<'a, 'w, S: Scalar, const WIDTH: usize, X: Intersect<S>> RasterRenderer<'a, 
         row: &mut [P],
         observer: &mut impl Observer,
     ) -> Result<(), RowError> {
-        let width = self.size.width;
-        if row.len() != width as usize {
-            return Err(RowError::BufferLength { width, length: row.len() });
-        }
+        RowError::check_length(self.size.width, row.len())?;
         let slice = self.slice(y)?;
         row.iter_mut().zip(self.colors(y, &slice, observer)).for_each(|(place, color)| *place = color);
         Ok(())

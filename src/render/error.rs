@@ -83,6 +83,13 @@ pub enum RowError {
     },
 }
 
+impl RowError {
+    /// Refuses a buffer that has not one place for each pixel of a row.
+    pub(crate) fn check_length(width: u32, length: usize) -> Result<(), Self> {
+        if length == width as usize { Ok(()) } else { Err(Self::BufferLength { width, length }) }
+    }
+}
+
 impl fmt::Display for RowError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -62,7 +62,8 @@ impl Progress {
         self.side
     }
 
-    /// Answers the rows of the picture that the next step draws in.
+    /// Answers the rows that the next step draws in, as far as the picture has them: blocks of a pass's last
+    /// band may reach below it, and are cut off there.
     pub fn rows(&self) -> Range<u32> {
         self.y..self.y.saturating_add(u32::from(self.side))
     }

@@ -4,8 +4,8 @@ use super::pattern::Pattern;
 ///
 /// From few to many: [`Adaptive`] fills in pixels, [`Exact`] sends one ray through each, [`AtEdges`]
 /// several through those on an edge, [`Uniform`] and [`Jittered`] several through each. It is a type, so
-/// that firmware carries the code of the quality it draws in and of no other: a choice at run time made
-/// every image 12 to 14 KB larger.
+/// that firmware carries the code of the quality it draws in and of no other: a choice at run time takes
+/// 12 to 14 KB more of every image.
 pub trait Quality: Copy + Default + sealed::Means {}
 
 /// Is a [`Quality`] in which no pixel depends on another: pictures may be drawn in any order of pixels.

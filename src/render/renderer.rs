@@ -117,9 +117,7 @@ where
         observer: &mut impl Observer,
     ) -> Result<(), RowError> {
         let width = self.picture.size.width;
-        if row.len() != width as usize {
-            return Err(RowError::BufferLength { width, length: row.len() });
-        }
+        RowError::check_length(width, row.len())?;
         self.row_exists(y)?;
         self.picture.encode_row(&mut self.workspace.scratch, y, 0..width, row, observer);
         Ok(())

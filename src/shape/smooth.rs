@@ -1,9 +1,9 @@
-use super::called::{add_scaled, difference, dot, normalized, scaled};
+use super::called::{add_scaled, difference, dot, normalized, product, scaled};
 use super::{Intersect, Triangle};
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
-use crate::math::{Scalar, Vec3};
+use crate::math::{Scalar, Vec3, Wide};
 use crate::ray::{Interval, Ray};
 
 /// Is a corner of a [`SmoothTriangle`].
@@ -80,6 +80,28 @@ impl<S: Scalar> Facet<S> {
         Triangle::new(a.point, b.point, c.point)
     }
 
+    /// Answers the derivatives of the point by the texture coordinates over the triangle; `None` where the
+    /// corners' coordinates lie on a line.
+    ///
+    /// With edges e, f and the coordinates' differences (du1, dv1), (du2, dv2) along them, these are
+    /// `(e dv2 - f dv1) / D` and `(f du1 - e du2) / D`, `D = du1 dv2 - du2 dv1`.
+    fn derivatives(&self) -> Option<[Vec3<S>; 2]> {
+        let [a, b, c] = self.vertices;
+        let [e, f] = [b, c].map(|corner| difference(corner.point, a.point));
+        let [[du1, dv1], [du2, dv2]] =
+            [b, c].map(|corner| [corner.texture[0] - a.texture[0], corner.texture[1] - a.texture[1]]);
+        let divisor = product(du1, dv2) - product(du2, dv1);
+        if divisor == S::Wide::ZERO {
+            return None;
+        }
+        // All digits are kept until the one division: coordinates of a large mesh differ by little.
+        let over = |p: S, g: S, q: S, h: S| S::div(product(p, g) - product(q, h), divisor);
+        let mix = |p: Vec3<S>, g: S, q: Vec3<S>, h: S| {
+            Vec3::new(over(p.x, g, q.x, h), over(p.y, g, q.y, h), over(p.z, g, q.z, h))
+        };
+        Some([mix(e, dv2, f, dv1), mix(f, du1, e, du2)])
+    }
+
     /// Answers how far a hit is put off the triangle.
     fn step(&self) -> S {
         let [a, b, c] = &self.vertices;
@@ -131,7 +153,9 @@ impl<S: Scalar> Facet<S> {
 
     /// Answers the ways along which the texture coordinates grow.
     pub(super) fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
-        super::plane::tangents(surface.normal)
+        let onto = |along: Vec3<S>| add_scaled(along, surface.normal, -dot(along, surface.normal));
+        let derivatives = self.derivatives().unwrap_or([Vec3::ZERO; 2]);
+        derivatives.map(|along| Tangent::along(onto(along)))
     }
 }
 
@@ -149,6 +173,14 @@ impl<S: Scalar> Intersect<S> for SmoothTriangle<S> {
     #[inline(never)]
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
         Facet::new(*self.vertices).surface(ray, crossing)
+    }
+
+    /// Along the triangle as its corners' coordinates grow, laid onto the curved surface: across the
+    /// interpolated normal. Where the corners' coordinates lie on a line there are no bumps; in fixed
+    /// point they come out too steep where a unit of a coordinate is longer than 2048.
+    #[inline(never)]
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        Facet::new(*self.vertices).tangents(surface)
     }
 
     #[inline(never)]

@@ -1,4 +1,5 @@
 use super::image::{Image, Spot, last_texel, levels};
+use super::texels::Bitmap;
 use crate::hit::Tangent;
 use crate::math::{Scalar, Vec3, Wide};
 
@@ -83,13 +84,17 @@ pub(crate) fn rise<S: Scalar>(
     ];
     let [u, v] = tangents;
     let [per_u, per_v] = image.per_unit;
-    // Of small heights a product would keep few digits: the one division has wide numbers on both sides.
-    let slope = |difference: S, texels: S, tangent: &Tangent<S>| {
-        let (rise, run) = (difference.mul_wide(texels * height), tangent.length.mul_wide(S::from_i32(255)));
+    let [of_columns, of_rows] = image.bitmap.size().map(|side| side.saturating_sub(1).min(Bitmap::LARGEST));
+    // How steep it is from black in one texel to full green in the next, times the share of that. Both are
+    // products of wide numbers: many tiles leave the number, small heights would keep few of its digits.
+    let slope = |difference: S, texels: u32, per_unit: S, tangent: &Tangent<S>| {
+        let (rise, run) =
+            (height.mul_wide(per_unit).scale(texels as i32, 1), tangent.length.mul_wide(S::ONE));
         // At a pole u has no length, and no slope along it.
-        if run == S::Wide::ZERO { S::ZERO } else { S::div(rise, run) }
+        let full = if run == S::Wide::ZERO { S::ZERO } else { S::div(rise, run) };
+        S::narrow(full.mul_wide(difference).scale(1, 255))
     };
-    [slope(differences[0], columns * per_u, u), slope(differences[1], rows * per_v, v)]
+    [slope(differences[0], of_columns, per_u, u), slope(differences[1], of_rows, per_v, v)]
 }
 
 /// Answers the slopes of a map of normals, which mirrored copies mirror.
@@ -120,6 +125,9 @@ pub(crate) fn bend<S: Scalar>(normal: Vec3<S>, tangents: &[Tangent<S>; 2], [a, b
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::Fixed;
+    use embedded_graphics::image::ImageRaw;
+    use embedded_graphics::pixelcolor::Rgb888;
 
     const ALONG: [Vec3<f64>; 3] =
         [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
@@ -132,6 +140,32 @@ mod tests {
             // Along (1, 0, 0.75) and (0, 1, -2) the inclined plane runs.
             assert!(bent.dot(u + n * 0.75).abs() < 1e-12 && bent.dot(v - n * 2.0).abs() < 1e-12);
             assert!(bent.dot(n) > 0.0 && (bent.length() - 1.0).abs() < 1e-12);
+        }
+    }
+
+    /// Is black, full green and black again.
+    static RIDGE: ImageRaw<Rgb888> = ImageRaw::new(&[0, 0, 0, 0, 255, 0, 0, 0, 0], 3);
+
+    /// Answers the slopes of ridges in the middle of the rising half of one.
+    fn on_a_ridge<S: Scalar>(number: fn(f64) -> S, [tiles, height, length]: [f64; 3]) -> S {
+        let image = Image::new(Bitmap::new(&RIDGE)).with_tiles(number(tiles), S::ONE);
+        let along = Tangent { direction: Vec3::ZERO, length: number(length) };
+        let bump = Bump::heights(image, number(height));
+        let [slope, _] = bump.slopes(number(0.25 / tiles), S::ZERO, &[along, along]);
+        slope
+    }
+
+    #[test]
+    fn a_slope_is_the_height_over_the_width_of_a_texel_however_many_and_however_high() {
+        // From many tiles over small heights to few over mountains: 2 texels a tile.
+        for [tiles, height, length] in
+            [[1.0, 0.5, 4.0], [1024.0, 1.0 / 64.0, 64.0], [1024.0, 0.5, 1024.0], [4.0, 1000.0, 2000.0]]
+        {
+            let exact = 2.0 * tiles * height / length;
+            let found = on_a_ridge(|x| x as f32, [tiles, height, length]);
+            assert!((f64::from(found) - exact).abs() < 1e-6 * exact, "f32: {found}, not {exact}");
+            let found = on_a_ridge(Fixed::new, [tiles, height, length]).to_f64();
+            assert!((found - exact).abs() < 4e-6, "fixed: {found}, not {exact}");
         }
     }
 

@@ -1,8 +1,10 @@
 use crate::color::Rgb;
 use crate::hit::Surface;
+use crate::math::Scalar;
 use core::fmt;
 
-/// Is the user's own texture: a function of the place, which answers light from 0 to 1.
+/// Is the user's own texture: a function of the place, which answers light from 0 to 1. What it answers
+/// beyond is brought to the nearer of the two: no surface sends on more light than it gets.
 ///
 /// ```
 /// use scanray::hit::Surface;
@@ -22,10 +24,14 @@ impl<S> Procedural<S> {
     pub const fn new(color: fn(&Surface<S>) -> Rgb<S>) -> Self {
         Self(color)
     }
+}
 
-    /// Answers the colour at a hit.
+impl<S: Scalar> Procedural<S> {
+    /// Answers the colour at a hit, each part from 0 to 1.
     pub fn color(&self, surface: &Surface<S>) -> Rgb<S> {
-        (self.0)(surface)
+        let Rgb { r, g, b } = (self.0)(surface);
+        let [r, g, b] = [r, g, b].map(|light| light.max(S::ZERO).min(S::ONE));
+        Rgb::new(r, g, b)
     }
 }
 

@@ -71,6 +71,6 @@ impl PartialEq for Bitmap {
 impl fmt::Debug for Bitmap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [columns, rows] = self.size();
-        write!(f, "Bitmap({columns}x{rows} at {:p})", self.0)
+        write!(f, "Bitmap({columns}x{rows} at {:p})", core::ptr::from_ref(self.0).cast::<()>())
     }
 }

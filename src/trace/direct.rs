@@ -1,4 +1,5 @@
 use super::departure::Departure;
+use super::detail::refine_one;
 use super::observer::Observer;
 use super::shade::{Shader, Site};
 use super::tracer::tile;
@@ -23,6 +24,9 @@ pub(crate) fn direct_light<S: Scalar, X: Intersect<S>>(
     let object = scene.objects.get(usize::from(index))?;
     let material = scene.materials.get(usize::from(object.material))?;
     let mut surface = object.shape.surface(ray, crossing);
+    if material.is_detailed() {
+        refine_one(&object.shape, material, &mut surface, ray.direction);
+    }
     let slope = surface.normal.dot(ray.direction);
     if slope > S::ZERO {
         surface.normal = -surface.normal;

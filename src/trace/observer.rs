@@ -24,10 +24,12 @@ pub trait Observer {
     /// Is told of each ray before it is traced.
     fn ray(&mut self, kind: RayKind);
 
-    /// Is told what a ray has met, at every level of reflection; the sky is object [`u16::MAX`].
+    /// Is told what a ray has met, at every level of reflection and refraction; the sky is object
+    /// [`u16::MAX`].
     ///
-    /// `lane` tells the rays of a packet apart and stays with a ray through all its mirrors. `tile` is a
-    /// number of the object's part and the tile of its texture, other for other ones nearby.
+    /// `lane` tells the rays of a packet apart and stays with a ray through all its mirrors, and with both
+    /// rays into which it splits at glass. `tile` is a number of the object's part and the tile of its
+    /// texture, other for other ones nearby.
     fn met(&mut self, _lane: u8, _object: u16, _tile: u32) {}
 
     /// Is told that the place met last is lit by a light: it faces it, and nothing stands between.

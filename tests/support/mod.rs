@@ -1,10 +1,14 @@
-//! Displays that watch how they are drawn on, and small scenes.
+//! A display that watches how it is drawn on, and small scenes.
 #![allow(dead_code, reason = "each test uses its part")]
 
 pub mod picture;
 
-use embedded_graphics::prelude::*;
-use embedded_graphics::primitives::Rectangle;
+mod panel;
+
+#[allow(unused_imports, reason = "each test uses its part")]
+pub use panel::{BusFault, Panel};
+
+use embedded_graphics::prelude::Size;
 use scanray::render::Quality;
 use scanray::trace::Observer;
 use scanray::{
@@ -29,69 +33,6 @@ pub fn film<S: Scalar, X: Intersect<S>, Q: Quality>(
         renderer.trace_row(y, 0..columns, observer, |_, light| film.push(light)).expect("a row of it");
     }
     film
-}
-
-/// Is a display that accepts nothing but whole rows from `fill_contiguous`, and can fail.
-pub struct StrictDisplay<C> {
-    pub area: Rectangle,
-    pub pixels: Vec<Option<C>>,
-    pub fills: Vec<Rectangle>,
-    /// How many fills succeed before one fails.
-    pub fails_after: Option<usize>,
-}
-
-#[derive(Debug, PartialEq, Eq)]
-pub struct BusFault(pub usize);
-
-impl<C: PixelColor> StrictDisplay<C> {
-    pub fn new(area: Rectangle) -> Self {
-        let count = (area.size.width * area.size.height) as usize;
-        Self { area, pixels: vec![None; count], fills: Vec::new(), fails_after: None }
-    }
-
-    pub fn sized(width: u32, height: u32) -> Self {
-        Self::new(Rectangle::new(Point::zero(), Size::new(width, height)))
-    }
-
-    pub fn is_full(&self) -> bool {
-        self.pixels.iter().all(Option::is_some)
-    }
-}
-
-impl<C> Dimensions for StrictDisplay<C> {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
-}
-
-impl<C: PixelColor> DrawTarget for StrictDisplay<C> {
-    type Color = C;
-    type Error = BusFault;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), BusFault> {
-        panic!("pixels were drawn one by one");
-    }
-
-    fn fill_contiguous<I: IntoIterator<Item = C>>(
-        &mut self,
-        row: &Rectangle,
-        colors: I,
-    ) -> Result<(), BusFault> {
-        if self.fails_after == Some(self.fills.len()) {
-            return Err(BusFault(self.fills.len()));
-        }
-        assert_eq!(row.size.height, 1, "not a row");
-        assert_eq!(row.intersection(&self.area), *row, "outside the display");
-        self.fills.push(*row);
-        let colors: Vec<C> = colors.into_iter().collect();
-        assert_eq!(colors.len(), row.size.width as usize, "as many colours as the row has pixels");
-        let start = row.top_left - self.area.top_left;
-        let first = start.y as usize * self.area.size.width as usize + start.x as usize;
-        for (place, color) in self.pixels[first..].iter_mut().zip(colors) {
-            *place = Some(color);
-        }
-        Ok(())
-    }
 }
 
 pub const fn v(x: f32, y: f32, z: f32) -> Vec3 {

@@ -21,8 +21,11 @@ use self::{
 /// Is a row in the bytes a display's bus wants.
 type Row = [[u8; 2]; WIDTH as usize];
 
-/// Is the workspace; but for progressive pictures rows go to a buffer of ours, and it needs no room for one.
-type Space = Workspace<Number, Rgb565, { if PROGRESSIVE { WIDTH as usize } else { 0 } }, DEPTH>;
+/// Is the workspace; rows go to a buffer of ours, so the workspace needs no room for one.
+type Space = Workspace<Number, Rgb565, 0, DEPTH>;
+
+/// Is the workspace of a picture that becomes finer and finer, which is drawn on a panel.
+type PanelSpace = Workspace<Number, Rgb565, { WIDTH as usize }, DEPTH>;
 
 /// Is the z-buffer's row of depths.
 type RasterSpace = RasterWorkspace<Number, { WIDTH as usize }>;
@@ -56,10 +59,10 @@ fn render(stride: u32, take: &mut dyn FnMut(&[[u8; 2]])) -> Result<(), &'static 
         let mut renderer = renderer.map_err(|_| "the z-buffer refuses the scene")?;
         return render_rows(stride, |y, row| renderer.render_row(y, row), take);
     }
-    let mut space = Space::new();
     if PROGRESSIVE {
-        return refine(size, &mut space, take);
+        return refine(size, take);
     }
+    let mut space = Space::new();
     let settings = VIEW.settings.with_quality(Mode::default());
     let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, &mut space)
         .map_err(|_| "the renderer refuses the scene")?;
@@ -80,9 +83,10 @@ fn render_rows(
 }
 
 /// Draws blocks of 16 pixels, then finer ones, all that a panel is sent.
-fn refine(size: Size, space: &mut Space, take: &mut dyn FnMut(&[[u8; 2]])) -> Result<(), &'static str> {
+fn refine(size: Size, take: &mut dyn FnMut(&[[u8; 2]])) -> Result<(), &'static str> {
+    let mut space = PanelSpace::new();
     let settings = VIEW.settings.with_quality(Exact);
-    let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, space)
+    let mut renderer = Renderer::new(&VIEW.scene, &VIEW.camera, size, settings, &mut space)
         .map_err(|_| "the renderer refuses the scene")?;
     let mut progress = Progress::new(16);
     let mut sink = Sink::new(size, take);

@@ -82,6 +82,11 @@ impl Bvh {
         }
     }
 
+    /// Answers the cube that its boxes are told in.
+    pub fn lattice<S: Rounded>(&self) -> accel::Lattice<S> {
+        self.cube.lattice()
+    }
+
     /// Counts the bytes that the tree takes in flash, of things listed in its order.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes)

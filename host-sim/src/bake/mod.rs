@@ -10,6 +10,7 @@ mod bvh;
 mod cube;
 pub mod file;
 pub mod grid;
+mod indexed;
 pub mod octahedron;
 pub mod source;
 
@@ -18,3 +19,4 @@ pub use bill::Bill;
 pub use bounds::Bounds;
 pub use bvh::Bvh;
 pub use cube::Cube;
+pub use indexed::{Indexed, Packed};

@@ -235,7 +235,8 @@ pub(super) struct ExportArgs {
     /// Scene of the gallery, or a file FILE.ron, which is then laid out anew
     #[arg(value_name = "SCENE")]
     pub scene: String,
-    /// File to write the scene to, `-` for the terminal [default: SCENE.ron in the current directory]
+    /// File to write the scene to, its images beside it as FILE-*.png; `-` writes a scene without images to
+    /// the terminal [default: SCENE.ron in the current directory]
     #[arg(short, long, value_name = "FILE.ron")]
     pub output: Option<PathBuf>,
 }

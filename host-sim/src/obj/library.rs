@@ -1,9 +1,9 @@
 //! Libraries of materials: MTL files.
 
-use super::picture;
 use super::survey::number;
 use super::wrong::{Mistake, Reason};
 use crate::model::Paint;
+use crate::scene_file::png_file::{self, MAX_TEXELS};
 use scanray::{Bitmap, Model};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,9 @@ impl Library {
         if let Some(known) = self.images.get(&place) {
             return Ok(*known);
         }
-        let image = picture::read(path)?;
+        let texels = self.images.values().map(Bitmap::size).map(|[columns, rows]| columns * rows);
+        let image = png_file::read(path, MAX_TEXELS - texels.sum::<u32>());
+        let image = image.map_err(|why| Reason::Image(why).of(path))?;
         self.images.insert(place, image);
         Ok(image)
     }

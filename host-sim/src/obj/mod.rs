@@ -6,10 +6,9 @@
 //! - [`mod@survey`], [`library`]: every line that says something of surfaces is checked, so that a mistake is told with
 //!   its line; all others are left out.
 //! - The crate `tobj` reads the lines that are left, and cuts polygons into triangles.
-//! - [`mod@read`]: its lists become a model. [`wrong`]: what may be wrong; [`picture`]: images of materials.
+//! - [`mod@read`]: its lists become a model. [`wrong`]: what may be wrong.
 
 pub mod library;
-pub mod picture;
 pub mod read;
 pub mod survey;
 pub mod wrong;

@@ -5,7 +5,7 @@ use super::survey::{Run, Survey, survey};
 use super::wrong::{Mistake, Reason};
 use crate::model::{Corner, Model, Options, Paint, Part, Plan};
 use std::collections::HashMap;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 use tobj::LoadOptions;
@@ -56,6 +56,10 @@ pub fn parse(
 /// Reads a file as text; letters that are not UTF-8 stand in names only, and become others.
 fn text(path: &Path) -> Result<String, Mistake> {
     let mut bytes = vec![];
+    // Whoever opens a pipe waits for a writer: look first.
+    if !fs::metadata(path).map_err(|error| Reason::Io(error).of(path))?.is_file() {
+        return Err(Reason::NotAFile.of(path));
+    }
     let read = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
     read.map_err(|error| Reason::Io(error).of(path))?;
     if bytes.len() as u64 > MAX_BYTES {

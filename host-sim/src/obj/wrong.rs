@@ -1,5 +1,6 @@
 //! What can be wrong with a model's files.
 
+use crate::scene_file::png_file::Unreadable;
 use crate::suggest;
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
@@ -21,6 +22,8 @@ pub struct Mistake {
 pub enum Reason {
     /// The system does not hand it out.
     Io(io::Error),
+    /// It is a directory or a device.
+    NotAFile,
     /// The system does not hand out a library of this name.
     Library(String, io::Error),
     /// It has more bytes than this.
@@ -65,10 +68,8 @@ pub enum Reason {
     },
     /// No face is left that has an area.
     Nothing,
-    /// An image is none that can be read.
-    Image(image::ImageError),
-    /// An image has more than so many texels to a side.
-    ImageSize(u32),
+    /// It is an image that cannot be read.
+    Image(Unreadable),
     /// The reader of the format refuses it.
     Reader(tobj::LoadError),
 }
@@ -99,6 +100,7 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Io(error) => write!(f, "cannot be read: {error}"),
+            Self::NotAFile => f.write_str("it is no file"),
             Self::Library(name, error) => write!(f, "the library `{name}` cannot be read: {error}"),
             Self::TooLarge(most) => write!(f, "the file has more than {most} bytes"),
             Self::Numbers { word, count } => {
@@ -119,8 +121,7 @@ impl fmt::Display for Reason {
             Self::MapOption(option) => write!(f, "options of maps such as `{option}` are not understood"),
             Self::TooMany { what, most } => write!(f, "there are more than {most} {what}"),
             Self::Nothing => f.write_str("there is no face that has an area"),
-            Self::Image(error) => write!(f, "is no PNG file that can be read: {error}"),
-            Self::ImageSize(most) => write!(f, "an image has 1 to {most} texels along each side"),
+            Self::Image(why) => why.fmt(f),
             Self::Reader(error) => error.fmt(f),
         }
     }

@@ -1,5 +1,6 @@
 use super::roots::{Ray, Root, plane_root, quadratic};
 use super::vector::Vector;
+use std::f64::consts::TAU;
 
 /// Is a cone between two discs across the way from one to the other; a disc may be a point.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +12,7 @@ pub(super) struct Cone {
 
 impl Cone {
     const SIDE: u8 = 0;
+    const FIRST_CAP: u8 = 1;
 
     fn axis(&self) -> Vector {
         self.ends[1] - self.ends[0]
@@ -43,7 +45,7 @@ impl Cone {
         let cap = |end: usize| {
             let t = plane_root(ray, self.ends[end], self.axis())?;
             let within = (ray.point(t) - self.ends[end]).norm() <= self.radii[end];
-            (self.capped && within).then_some(Root { t, part: 1 + end as u8 })
+            (self.capped && within).then_some(Root { t, part: Self::FIRST_CAP + end as u8 })
         };
         (0..2).filter_map(cap).collect()
     }
@@ -63,10 +65,10 @@ impl Cone {
         roots
     }
 
-    /// Answers a unit normal at a point of a part: the gradient of the side's equation.
+    /// Answers the outward unit normal at a point of a part: of the side the gradient of its equation.
     pub fn normal(&self, point: Vector, part: u8) -> Vector {
         if part != Self::SIDE {
-            return self.axis().unit();
+            return self.axis().unit() * if part == Self::FIRST_CAP { -1.0 } else { 1.0 };
         }
         let from = point - self.ends[0];
         let outward = (from - self.axis() * self.share(from)).unit();
@@ -74,8 +76,36 @@ impl Cone {
         (outward - self.axis() * growth).unit()
     }
 
+    /// Answers two unit vectors across the axis, a quarter of a turn apart: the first is the world's x
+    /// without its share along the axis, or y where the axis is longest along x.
+    fn dial(&self) -> [Vector; 2] {
+        let [x, y, z] = self.axis().0.map(f64::abs);
+        let first = usize::from(x > y.max(z));
+        let unit = Vector::by_axis(|axis| if axis == first { 1.0 } else { 0.0 });
+        let across = (unit - self.axis() * self.share(unit)).unit();
+        [across, across.outer(self.axis().unit())]
+    }
+
+    /// Answers the angle of a point on the dial, from 0 to 2 pi.
+    fn angle(&self, point: Vector) -> f64 {
+        let [x, z] = self.dial().map(|unit| unit.inner(point - self.ends[0]));
+        z.atan2(x).rem_euclid(TAU)
+    }
+
     /// Answers the texture coordinates of a point.
     pub fn texture_coordinates(&self, point: Vector) -> [f64; 2] {
-        [0.0, self.share(point - self.ends[0]).clamp(0.0, 1.0 - f64::EPSILON)]
+        let share = self.share(point - self.ends[0]).clamp(0.0, 1.0 - f64::EPSILON);
+        [1.0 - self.angle(point) / TAU, share]
+    }
+
+    /// Answers the derivatives of the side's points `base + V v + (r0 + (r1 - r0) v) (X cos a + Z sin a)`,
+    /// `a = 2 pi (1 - u)`, by u and v; of a cap's points by v it is 0.
+    pub fn derivatives(&self, point: Vector, part: u8) -> [Vector; 2] {
+        let ([x, z], angle) = (self.dial(), self.angle(point));
+        let [r0, r1] = self.radii;
+        let radius = r0 + (r1 - r0) * self.share(point - self.ends[0]);
+        let by_u = (x * -angle.sin() + z * angle.cos()) * (-TAU * radius);
+        let by_v = self.axis() + (x * angle.cos() + z * angle.sin()) * (r1 - r0);
+        [by_u, if part == Self::SIDE { by_v } else { Vector::default() }]
     }
 }

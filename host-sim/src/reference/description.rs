@@ -3,6 +3,7 @@
 use super::cone::Cone;
 use super::displaced::Displaced;
 use super::glass::Glass;
+use super::groups::Group;
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
@@ -28,6 +29,7 @@ impl std::error::Error for Unknown {}
 #[derive(Clone, Debug)]
 pub struct Description {
     pub(super) objects: Vec<Object>,
+    pub(super) groups: Vec<Group>,
     pub(super) lights: Vec<Light>,
     pub(super) sky: Sky,
     pub(super) ambient: Vector,

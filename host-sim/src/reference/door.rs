@@ -7,6 +7,7 @@ use super::description::{
 };
 use super::displaced::Displaced;
 use super::glass::{Glass, Turning};
+use super::groups::groups;
 use super::mesh::{Corners, Mesh, Normals};
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
@@ -221,8 +222,10 @@ impl Description {
             let object = |shape: Shape| Object { number, shape, material: stuff.clone() };
             Ok(shapes(&o.shape).into_iter().map(object).collect::<Vec<_>>())
         };
+        let objects = scene.objects.iter().enumerate().map(object).collect::<Result<Vec<_>, _>>()?.concat();
         Ok(Self {
-            objects: scene.objects.iter().enumerate().map(object).collect::<Result<Vec<_>, _>>()?.concat(),
+            groups: groups(&objects),
+            objects,
             lights: scene.lights.iter().map(lamp).collect::<Result<_, _>>()?,
             sky: sky(&scene.sky)?,
             ambient: light(&scene.ambient),

@@ -48,7 +48,9 @@ impl Light {
 impl Description {
     /// Answers the first thing a ray meets that `counts`; the first listed of equally near ones.
     fn first(&self, ray: &Ray, left: Left, counts: impl Fn(f64) -> bool) -> Option<Arrival> {
-        let roots = self.objects.iter().enumerate().flat_map(|(object, o)| {
+        let near = self.groups.iter().filter(|group| group.may_be_met(ray));
+        let roots = near.flat_map(|group| group.members.clone()).flat_map(|object| {
+            let o = &self.objects[object];
             let part = left.filter(|(index, _)| *index == object).map(|(_, part)| part);
             o.shape.roots_ahead(ray, part).into_iter().map(move |root| (object, root))
         });
@@ -103,9 +105,10 @@ impl Description {
         let to_eye = -ray.direction.unit();
         let (lit_at, mut normal) = shape.lit(ray, point, part);
         if let Some(bump) = &material.bump {
-            let turned = bump.turned(outward, shape.derivatives(point, part), coordinates);
-            let turned = if outward.inner(normal) < 0.0 { -turned } else { turned };
-            normal = turned.turned_to(to_eye);
+            let side = outward.inner(normal).signum();
+            let smooth = normal * side;
+            let turned = bump.turned(smooth, shape.derivatives(point, part, smooth), coordinates);
+            normal = (turned * side).turned_to(to_eye);
         }
         let point = lit_at;
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };

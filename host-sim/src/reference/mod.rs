@@ -16,6 +16,7 @@ mod displaced;
 mod display;
 mod door;
 mod glass;
+mod groups;
 mod light;
 mod matrix;
 mod mesh;

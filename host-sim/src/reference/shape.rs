@@ -117,8 +117,8 @@ impl Shape {
         (point, if outward.inner(ray.direction) > 0.0 { -outward } else { outward })
     }
 
-    /// Answers the derivatives of the point by the texture coordinates.
-    pub fn derivatives(&self, point: Vector, part: u8) -> [Vector; 2] {
+    /// Answers the derivatives of the point by the texture coordinates; `lit` is the normal that light sees.
+    pub fn derivatives(&self, point: Vector, part: u8, lit: Vector) -> [Vector; 2] {
         let along = |axis: usize, length: f64| Vector::by_axis(|i| if i == axis { length } else { 0.0 });
         match *self {
             Self::Displaced(ref ball) => {
@@ -129,10 +129,12 @@ impl Shape {
                 globe_derivatives(point - center).map(|derivative| derivative * radius)
             }
             Self::Triangle { corners: [a, b, c] } => [b - a, c - a],
+            Self::Cone(cone) => cone.derivatives(point, part),
+            Self::Smooth(triangle) => triangle.derivatives(lit),
             Self::Cuboid { low, high } => {
                 others(usize::from(part / 2)).map(|axis| along(axis, high.0[axis] - low.0[axis]))
             }
-            _ => {
+            Self::Plane { .. } | Self::Polygon { .. } => {
                 let normal = self.normal(point, part);
                 let hidden = largest_axis(normal);
                 others(hidden).map(|axis| along(axis, 1.0) - along(hidden, normal.0[axis] / normal.0[hidden]))

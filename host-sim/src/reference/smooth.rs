@@ -54,6 +54,23 @@ impl Smooth {
         (Self::mix(shares, feet) + step, normal)
     }
 
+    /// Answers the derivatives of the point by the texture coordinates, across a unit normal; 0 where the
+    /// coordinates of the corners do not tell two ways apart.
+    ///
+    /// Over the triangle u and v have gradients; along the derivative by u, v stays and u grows by 1.
+    pub fn derivatives(&self, normal: Vector) -> [Vector; 2] {
+        let [a, b, c] = self.points;
+        let area = (b - a).outer(c - a);
+        let gradients = [c - b, a - c, b - a].map(|across| area.outer(across) * (1.0 / area.inner(area)));
+        let [of_u, of_v] = [0, 1].map(|axis| Self::mix(self.coordinates.map(|uv| uv[axis]), gradients));
+        let along = |grows: Vector, stays: Vector| {
+            let way = stays.outer(area);
+            let gain = grows.inner(way);
+            if gain == 0.0 { Vector::default() } else { way * (1.0 / gain) }
+        };
+        [along(of_u, of_v), along(of_v, of_u)].map(|way| way - normal * normal.inner(way))
+    }
+
     /// Answers the texture coordinates of a point of the triangle.
     pub fn texture_coordinates(&self, point: Vector) -> [f64; 2] {
         let shares = shares(self.points, point);

@@ -1,7 +1,9 @@
 //! A scene file on disk, as a scene that commands take.
 
+use super::album::{self, Missed};
 use super::description::Description;
 use super::mistake::{Complaint, Mistake, Reason};
+use super::outline::Text;
 use super::place::{Part, Places};
 use super::read::parse;
 use scanray::RenderError;
@@ -56,7 +58,7 @@ impl SceneFile {
         Self::parse(path, bytes).map_err(Failure::Wrong)
     }
 
-    /// Reads the bytes of a file.
+    /// Reads the bytes of a file, and the images that it names.
     ///
     /// # Errors
     /// The first mistake in them: what keeps the core from drawing it in `f64` among others, but not what is
@@ -71,10 +73,13 @@ impl SceneFile {
                 return Err(Box::new(Complaint { path, mistake, text: String::new() }));
             }
         };
-        let (description, places) = match parse(&text) {
+        let (mut description, places) = match parse(&text) {
             Ok(read) => read,
             Err(mistake) => return Err(Box::new(Complaint { path, mistake, text })),
         };
+        if let Err(missed) = album::read(&mut description, path.parent().unwrap_or(Path::new(""))) {
+            return Err(Box::new(Complaint { path, mistake: mistake(missed, &text, &places), text }));
+        }
         let file = Self { path, name, text, places, description };
         match file.description.refusal() {
             Some(error) => Err(Box::new(file.explain(error))),
@@ -98,6 +103,13 @@ impl SceneFile {
     pub fn name(&self) -> &str {
         &self.name
     }
+}
+
+/// Shows where a file names an image that cannot be read.
+fn mistake(missed: Missed, text: &str, places: &Places) -> Mistake {
+    let Missed { part, name, path, why } = missed;
+    let place = places.get(&part).map(|part| Text(text).place_of_name(part.clone(), &name));
+    Mistake { reason: Reason::Image { path, why }, place }
 }
 
 fn text(bytes: Vec<u8>) -> Result<String, Reason> {

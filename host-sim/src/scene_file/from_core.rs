@@ -53,7 +53,7 @@ fn say<W, C: PartialEq>(words: Option<W>, back: impl Fn(&W) -> C, core: &C) -> O
     words.filter(|words| back(words) == *core)
 }
 
-/// Describes a view of the core.
+/// Describes a view of the core; its images are named by the view's name.
 ///
 /// # Errors
 /// The first thing that a scene file would not bring back as it is.
@@ -66,7 +66,7 @@ pub fn describe(view: &View<f64>) -> Result<Description, Unsayable> {
     let materials = each(scene.materials, Unsayable::Material, |material| {
         say(Material::of(material), Material::in_number, material)
     })?;
-    Ok(Description {
+    let mut description = Description {
         about: view.about.to_owned(),
         size: view.size,
         camera: camera.ok_or(Unsayable::Camera)?,
@@ -78,7 +78,9 @@ pub fn describe(view: &View<f64>) -> Result<Description, Unsayable> {
         objects: each(scene.objects, Unsayable::Object, |object| {
             Some((say(Shape::of(&object.shape), Shape::in_number, &object.shape)?, object.material))
         })?,
-    })
+    };
+    description.name_images(view.name);
+    Ok(description)
 }
 
 /// Finds words for everything in a list, or names the first thing that there are none for.

@@ -3,7 +3,9 @@
 //! A field that a file leaves out keeps the value that the core's constructor gave it. To add one: the
 //! field, and a line in each of the two functions.
 
+use super::bump::Bump;
 use super::glass::Glass;
+use super::image::ImageFile;
 use super::texture::Texture;
 use super::value::{Color, unless};
 use crate::rounded::Rounded;
@@ -20,6 +22,9 @@ pub struct Material {
     /// Colours of the diffuse and ambient reflection, where there is no single one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub texture: Option<Texture>,
+    /// Roughness that only light sees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bump: Option<Bump>,
     /// Reflection model.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<Model>,
@@ -90,11 +95,22 @@ impl Material {
         self.color.is_some() != self.texture.is_some()
     }
 
+    /// Lists its images, each with a word for what it is for.
+    pub fn images_mut(&mut self) -> impl Iterator<Item = (&'static str, &mut ImageFile)> {
+        let texture = self.texture.as_mut().and_then(|texture| match texture {
+            Texture::Image(image) => Some(("image", image)),
+            _ => None,
+        });
+        let bump = self.bump.as_mut().map(Bump::image_mut);
+        texture.into_iter().chain(bump).map(|(role, image)| (role, &mut image.file))
+    }
+
     /// Makes the core's material, rounded to a number.
     pub fn in_number<S: Rounded>(&self) -> scanray::Material<S> {
         let color = self.color.map_or(Rgb::BLACK, Color::in_number);
         let texture = self.texture.as_ref().map_or(scanray::Texture::Solid(color), Texture::in_number);
         let mut material = scanray::Material::textured(texture);
+        material.bump = self.bump.as_ref().map(Bump::in_number);
         material.model = self.model.map_or(material.model, Model::in_number);
         material.ambient = self.ambient.map_or(material.ambient, S::round);
         material.specular = self.specular.map_or(material.specular, Color::in_number);
@@ -115,6 +131,7 @@ impl Material {
         Some(Self {
             color,
             texture,
+            bump: material.bump.as_ref().and_then(Bump::of),
             model: unless(usual.model, material.model).and_then(Model::of),
             ambient: unless(usual.ambient, material.ambient),
             specular: unless(usual.specular, material.specular).map(Color::of),

@@ -1,5 +1,6 @@
 //! What can be wrong with a scene file, where, and what was meant.
 
+use super::png_file::Unreadable;
 use crate::suggest::nearest;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use scanray::RenderError;
@@ -41,6 +42,13 @@ pub enum Reason {
     TooMany(usize),
     /// The picture has a side of 0 or of more pixels than this.
     Size(u32),
+    /// An image cannot be read.
+    Image {
+        /// Where it was looked for.
+        path: PathBuf,
+        /// Why it cannot be read.
+        why: Unreadable,
+    },
     /// The core cannot draw it.
     Refused(RenderError),
 }
@@ -56,6 +64,7 @@ impl fmt::Display for Reason {
             Self::Paint => f.write_str("a material has either `color` or `texture`"),
             Self::TooMany(most) => write!(f, "there are more than {most} of them"),
             Self::Size(most) => write!(f, "a picture has 1 to {most} pixels along each side"),
+            Self::Image { path, why } => write!(f, "cannot read the image {}: {why}", path.display()),
             Self::Refused(error) => error.fmt(f),
         }
     }

@@ -6,21 +6,26 @@
 //!
 //! - [`value`], [`shape`], [`texture`], [`material`], [`light`], [`sky`], [`camera`], [`settings`]: the words
 //!   of the format, each with its way to the core and back. A new word is added there and in the manual.
+//! - [`image`], [`bump`]: images in these words; [`png_file`]: their texels; `album`: all that a description has.
 //! - [`description`]: a whole scene in these words; [`from_core`]: of a view; [`names`]: of its materials.
 //! - [`mod@read`] and [`mod@write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.
 //! - [`mod@file`]: a file as a scene that commands take.
 
+mod album;
+pub mod bump;
 pub mod camera;
 pub mod description;
 pub mod file;
 pub mod from_core;
 pub mod glass;
+pub mod image;
 pub mod light;
 pub mod material;
 pub mod mistake;
 pub mod names;
 mod outline;
 pub mod place;
+pub mod png_file;
 pub mod read;
 pub mod settings;
 pub mod shape;

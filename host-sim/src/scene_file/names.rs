@@ -26,6 +26,7 @@ fn look(material: &Material) -> &'static str {
         (Some(Texture::Stripes { .. }), _) => "striped",
         (Some(Texture::Rings { .. }), _) => "ringed",
         (Some(Texture::Vertices { .. }), _) => "mixed",
+        (Some(Texture::Image(_)), _) => "pictured",
         _ if material.mirror.is_some_and(|weight| weight >= MIRROR) => "mirror",
         (None, Some(color)) => hue(color.0),
         (None, None) => "plain",

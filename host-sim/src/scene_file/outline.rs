@@ -66,6 +66,14 @@ impl<'de> Visitor<'de> for InOrder {
     }
 }
 
+/// Answers how values are written: `near: 30` for `near: Some(30)`, `Image(file: ...)` for
+/// `Image((file: ...))`.
+pub(super) fn options() -> Options {
+    Options::default()
+        .with_default_extension(Extensions::IMPLICIT_SOME)
+        .with_default_extension(Extensions::UNWRAP_VARIANT_NEWTYPES)
+}
+
 /// Is the text that is being read.
 #[derive(Clone, Copy)]
 pub(super) struct Text<'a>(pub &'a str);
@@ -89,12 +97,19 @@ impl<'a> Text<'a> {
         self.find(part.trim().get_ron()).unwrap_or_default()
     }
 
+    /// Answers where a name stands in a part; the whole part if escapes hide the name there.
+    pub fn place_of_name(self, part: Range<usize>, name: &str) -> Range<usize> {
+        let piece = self.0.get(part.clone()).unwrap_or_default();
+        piece.find(&format!("\"{name}\"")).map_or(part.clone(), |quote| {
+            let begin = part.start + quote + 1;
+            begin..begin + name.len()
+        })
+    }
+
     /// Reads a piece of the text as one value.
     pub fn read<T: Deserialize<'a>>(self, place: Range<usize>) -> Result<T, Mistake> {
         let piece = self.0.get(place.clone()).unwrap_or_default();
-        // `near: 30` for `near: Some(30)`.
-        let options = Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
-        options.from_str(piece).map_err(|SpannedError { code, span }| {
+        options().from_str(piece).map_err(|SpannedError { code, span }| {
             let wrong = offset(piece, span.start)..offset(piece, span.end);
             let wrong = tightened(piece, wrong);
             Mistake {

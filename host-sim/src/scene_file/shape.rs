@@ -2,9 +2,10 @@
 //!
 //! To add one: a variant, and an arm in each of the two functions; the compiler asks for the arms.
 
+use super::image::{Image, ImageFile};
 use super::value::{Point, point, unless};
 use crate::rounded::Rounded;
-use scanray::{Cone, Cuboid, Plane, Polygon, SmoothTriangle, Sphere, Triangle};
+use scanray::{Cone, Cuboid, Displaced, Plane, Polygon, SmoothTriangle, Sphere, Triangle};
 use serde::{Deserialize, Serialize};
 
 /// Is a shape; its fields are those of the core's shape of the same name.
@@ -72,6 +73,17 @@ pub enum Shape {
         b: Vertex,
         /// Third corner.
         c: Vertex,
+    },
+    /// A ball whose points a map of heights moves outward.
+    Displaced {
+        /// Middle of the ball.
+        center: Point,
+        /// Distance of the surface from it where the map is black, above 0.
+        radius: f64,
+        /// The map: black is 0, green at its full level `height`.
+        relief: Image,
+        /// How far the highest points are moved, at least 0.
+        height: f64,
     },
 }
 
@@ -150,7 +162,16 @@ impl Shape {
                 let vertices = Box::leak(Box::new([a, b, c].map(Vertex::in_number)));
                 scanray::Shape::SmoothTriangle(SmoothTriangle::new(vertices))
             }
+            Self::Displaced { center, radius, ref relief, height } => {
+                let ball = Sphere::new(point(center), S::round(radius));
+                scanray::Shape::Displaced(Displaced::new(ball, relief.in_number(), S::round(height)))
+            }
         }
+    }
+
+    /// Answers its image, if it has one, with a word for what it is for.
+    pub fn image_mut(&mut self) -> Option<(&'static str, &mut ImageFile)> {
+        if let Self::Displaced { relief, .. } = self { Some(("relief", &mut relief.file)) } else { None }
     }
 
     /// Takes a shape of the core; `None` for one that scene files do not know.
@@ -180,8 +201,14 @@ impl Shape {
                 let [a, b, c] = s.vertices.each_ref().map(Vertex::of);
                 Self::SmoothTriangle { a, b, c }
             }
-            // Its relief is an image, and files hold none; nor do they hold meshes.
-            scanray::Shape::Displaced(_) | scanray::Shape::Mesh(_) => return None,
+            scanray::Shape::Displaced(s) => Self::Displaced {
+                center: s.ball.center.to_array(),
+                radius: s.ball.radius,
+                relief: Image::of(&s.relief),
+                height: s.height,
+            },
+            // Files hold no meshes.
+            scanray::Shape::Mesh(_) => return None,
             scanray::Shape::Custom(none) => match *none {},
         })
     }

@@ -2,6 +2,7 @@
 //!
 //! To add one: a variant, and an arm in each of the two functions.
 
+use super::image::Image;
 use super::value::Color;
 use crate::rounded::Rounded;
 use scanray::{Checker, Rings, Stripes, Vertices};
@@ -50,12 +51,15 @@ pub enum Texture {
         /// Colour of the third corner.
         c: Color,
     },
+    /// An image over the shape's texture coordinates.
+    Image(Image),
 }
 
 impl Texture {
     /// Makes the core's texture, rounded to a number.
     pub fn in_number<S: Rounded>(&self) -> scanray::Texture<S> {
         match *self {
+            Self::Image(ref image) => scanray::Texture::Image(image.in_number()),
             Self::Checker { even, odd, per_unit } => {
                 scanray::Texture::Checker(Checker::new(even.in_number(), odd.in_number(), S::round(per_unit)))
             }
@@ -96,6 +100,7 @@ impl Texture {
                 let [a, b, c] = mixed.colors.map(Color::of);
                 Self::Vertices { a, b, c }
             }
+            scanray::Texture::Image(image) => Self::Image(Image::of(image)),
             _ => return None,
         })
     }

@@ -1,10 +1,10 @@
 //! Writes a description as a scene file one likes to read: a section a part, a line a thing.
 
 use super::description::Description;
+use super::outline::options;
 use super::settings::Settings;
 use super::shape::Shape;
-use ron::Options;
-use ron::extensions::Extensions;
+use super::sky::Sky;
 use ron::ser::PrettyConfig;
 use serde::Serialize;
 use std::fmt::{self, Write};
@@ -30,7 +30,8 @@ pub fn write(description: &Description) -> ron::Result<String> {
         file.part("settings", &block(settings)?)?;
     }
     if let Some(sky) = sky {
-        file.part("sky", &line(sky)?)?;
+        let written = if let Sky::Cube { .. } = sky { block(sky) } else { line(sky) };
+        file.part("sky", &written?)?;
     }
     if let Some(ambient) = ambient {
         file.part("ambient", &line(ambient)?)?;
@@ -88,6 +89,5 @@ fn block(value: &impl Serialize) -> ron::Result<String> {
 
 fn pretty(value: &(impl Serialize + ?Sized), depth: usize) -> ron::Result<String> {
     let config = PrettyConfig::new().depth_limit(depth).new_line("\n").escape_strings(false);
-    let options = Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
-    options.to_string_pretty(value, config)
+    options().to_string_pretty(value, config)
 }

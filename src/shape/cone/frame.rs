@@ -1,6 +1,7 @@
 use super::super::called::{add_scaled, dot, length, normalized, scaled};
 use super::hyperbola::Hyperbola;
-use crate::math::{Scalar, Vec3};
+use crate::hit::Tangent;
+use crate::math::{Scalar, Vec3, turns};
 
 /// Names the side of a cone.
 pub(super) const SIDE: u16 = 0;
@@ -76,16 +77,57 @@ impl<S: Scalar> Frame<S> {
             APEX => Some((self.axis, self.half - height)),
             _ => {
                 let [cosine, sine] = self.slant;
-                let (outward, radius) = normalized(add_scaled(from_middle, self.axis, -height))?;
+                let (outward, radius) = self.outward(from_middle)?;
                 Some((add_scaled(scaled(outward, cosine), self.axis, -sine), width - radius * cosine))
             }
         }
     }
 
     /// Answers how high a point is of the way from the base to the apex, from 0 to below 1.
-    pub fn share(&self, point: Vec3<S>) -> S {
-        let share = (dot(point - self.middle, self.axis) + self.half).ratio(self.half) * S::HALF;
+    pub fn share(&self, from_middle: Vec3<S>) -> S {
+        let share = (dot(from_middle, self.axis) + self.half).ratio(self.half) * S::HALF;
         share.max(S::ZERO).min(S::BELOW_ONE)
+    }
+
+    /// Answers the unit vectors across the axis from which, and toward which, the angle around it is
+    /// measured: of a cone along y these are x and z, as on a ball.
+    fn across(&self) -> [Vec3<S>; 2] {
+        let Vec3 { x, y, z } = self.axis;
+        let (first, along) = if x.abs() > y.abs() && x.abs() > z.abs() {
+            (Vec3::new(S::ZERO, S::ONE, S::ZERO), y)
+        } else {
+            (Vec3::new(S::ONE, S::ZERO, S::ZERO), x)
+        };
+        let from = normalized(add_scaled(first, self.axis, -along)).map_or(first, |(unit, _)| unit);
+        [from, from.cross(self.axis)]
+    }
+
+    /// Answers the unit vector from the axis to a point, and how far out it is; `None` on the axis.
+    fn outward(&self, from_middle: Vec3<S>) -> Option<(Vec3<S>, S)> {
+        normalized(add_scaled(from_middle, self.axis, -dot(from_middle, self.axis)))
+    }
+
+    /// Answers how far a point is around the axis, in turns from 0 to below 1; on the axis 0.
+    pub fn turn(&self, from_middle: Vec3<S>) -> S {
+        let Some((outward, _)) = self.outward(from_middle) else { return S::ZERO };
+        let [x, z] = self.across().map(|axis| dot(outward, axis));
+        (S::ONE - turns(z, x)).min(S::BELOW_ONE)
+    }
+
+    /// Answers the ways along which turn and share grow on the side at a point near it: around the axis
+    /// `2 pi r` to a turn, and from the base to the apex the length of the side's lines.
+    pub fn tangents(&self, from_middle: Vec3<S>) -> [Tangent<S>; 2] {
+        let (outward, radius) = self.outward(from_middle).unwrap_or((Vec3::ZERO, S::ZERO));
+        let half_circle = S::PI * radius;
+        let [cosine, sine] = self.slant;
+        let half_line = self.half.ratio(cosine);
+        [
+            Tangent { direction: self.axis.cross(outward), length: half_circle + half_circle },
+            Tangent {
+                direction: add_scaled(scaled(self.axis, cosine), outward, sine),
+                length: half_line + half_line,
+            },
+        ]
     }
 
     /// Answers how far a disc of radius 1 across the axis reaches along each of the world's axes.

@@ -5,7 +5,7 @@ use super::Intersect;
 use super::called::{add_scaled, difference, dot, normalized, scaled};
 use crate::aabb::Aabb;
 use crate::fault::Fault;
-use crate::hit::{Crossing, Surface};
+use crate::hit::{Crossing, Surface, Tangent};
 use crate::hull::Hull;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
@@ -22,8 +22,11 @@ use frame::{Frame, Passage, SIDE};
 /// O9, as in Haines's Neutral File Format). The solid is where the ray is between its side and its
 /// ends at once, as in a [`Cuboid`](super::Cuboid): no ray slips through at a rim.
 ///
-/// Parts are 0 the side, 1 the cap at the base, 2 the cap at the apex. Texture coordinate u is 0, v
-/// runs from 0 at the base to 1 at the apex.
+/// Parts are 0 the side, 1 the cap at the base, 2 the cap at the apex. Texture coordinate u is one turn
+/// around the axis, eastward as on a [`Sphere`](super::Sphere) with its upper pole at the apex; it begins
+/// on the side of x, or of y where the axis lies along x more than along y and along z. v runs from 0 at
+/// the base to 1 at the apex. Over a cap both go on as they are at its rim: it shows the rim's colours to
+/// its middle, and takes no bumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone<S = f32> {
     /// Middle of one end.
@@ -114,10 +117,12 @@ impl<S: Scalar> Intersect<S> for Cone<S> {
         self.crossing(enter, interval).or_else(|| self.crossing(leave, interval))
     }
 
-    /// From the surface outward the cone is behind; inward the ray leaves it at its far side.
+    /// From the surface outward the cone is behind; inward the ray leaves it at its far side. The start is
+    /// the nearer of the two crossings, whatever rounding makes of its distance 0.
     #[inline(never)]
     fn intersect_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
-        self.crossing(self.passage(ray)?.leave, interval)
+        let Passage { enter, leave } = self.passage(ray)?;
+        if enter.0 + leave.0 > S::ZERO { self.crossing(leave, interval) } else { None }
     }
 
     #[inline(never)]
@@ -129,7 +134,23 @@ impl<S: Scalar> Intersect<S> for Cone<S> {
         let (normal, depth) =
             frame.nearest_of(part, rough - frame.middle).unwrap_or((-ray.direction, S::ZERO));
         let point = add_scaled(rough, normal, depth);
-        Surface { point, normal, u: S::ZERO, v: frame.share(point), part }
+        Surface { point, normal, u: S::ZERO, v: S::ZERO, part }
+    }
+
+    #[inline(never)]
+    fn texture_coordinates(&self, surface: &Surface<S>) -> [S; 2] {
+        self.frame().map_or([S::ZERO; 2], |frame| {
+            let from_middle = difference(surface.point, frame.middle);
+            [frame.turn(from_middle), frame.share(from_middle)]
+        })
+    }
+
+    /// In fixed point lengths end at 2048: bumps on cones of a radius above 326 come out too steep.
+    #[inline(never)]
+    fn tangents(&self, surface: &Surface<S>) -> [Tangent<S>; 2] {
+        let frame = self.frame().filter(|_| surface.part == SIDE);
+        let nowhere = Tangent { direction: Vec3::ZERO, length: S::ZERO };
+        frame.map_or([nowhere; 2], |frame| frame.tangents(difference(surface.point, frame.middle)))
     }
 
     /// Open as well: outward from its side it is not met again, and inward every crossing counts.

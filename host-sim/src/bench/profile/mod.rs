@@ -32,7 +32,7 @@ pub struct Profile {
     pub stages: BTreeMap<Stage, u64>,
     /// Instructions by shape, in whichever stage.
     pub shapes: BTreeMap<Shape, u64>,
-    /// Instructions by function of the core, and by the compiler's helpers for arithmetic.
+    /// Instructions by function of the core, and of the compiler's arithmetic.
     pub functions: BTreeMap<String, u64>,
 }
 

@@ -99,7 +99,7 @@ impl fmt::Display for Shape {
     }
 }
 
-/// Answers the innermost function of the core or of the compiler's helpers: what others say of themselves,
+/// Answers the innermost function of the core or of the compiler's arithmetic: what others say of themselves,
 /// such as that they multiply, tells little.
 pub fn telling(frames: &[&str]) -> String {
     let paths: Vec<String> = frames.iter().map(|frame| plain(frame)).collect();

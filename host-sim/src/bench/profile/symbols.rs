@@ -52,7 +52,7 @@ impl<'a> Symbols<'a> {
             }
         }
         if frames.is_empty() {
-            // The compiler's own helpers bring no debug information.
+            // The compiler's own arithmetic brings no debug information.
             let function = self.functions.range(..=address).next_back();
             frames.extend(function.map(|(_, name)| format!("{:#}", rustc_demangle::demangle(name))));
         }
