@@ -25,6 +25,8 @@ impl Place {
     pub fn of(bounds: &Bounds) -> Self {
         let half: [f64; 3] = bounds.sides().map(|side| 0.5 * side);
         let radius = half.iter().map(|half| half * half).sum::<f64>().sqrt();
+        // Of what is smaller no area is left in `f64`, whatever the unit.
+        let radius = if radius > 1e-100 { radius } else { 0.0 };
         let origin = [bounds.middle(0), bounds.low[1], bounds.middle(2)];
         Self { origin, scale: Units::for_largest(REACH * radius).scale() }
     }

@@ -1,6 +1,6 @@
 //! Libraries of materials: MTL files.
 
-use super::survey::number;
+use super::survey::{LARGEST, number};
 use super::wrong::{Mistake, Reason};
 use crate::model::Paint;
 use crate::scene_file::png_file::{self, MAX_TEXELS};
@@ -70,16 +70,16 @@ fn check(line: &str, kept: &mut String) -> Result<(), Reason> {
     let colors = ["Ka", "Kd", "Ks"];
     let amounts = ["Ns", "Ni", "d", "Tr"];
     if let Some(word) = colors.into_iter().find(|color| *color == word) {
-        let numbers: Option<Vec<f64>> = rest.split_whitespace().map(number).collect();
+        let numbers: Option<Vec<f64>> = rest.split_whitespace().map(|word| number(word, LARGEST)).collect();
         let [r, g, b] = match numbers.as_deref() {
             Some([grey]) => [*grey; 3],
             Some([r, g, b]) => [*r, *g, *b],
-            _ => return Err(Reason::Numbers { word, count: 3 }),
+            _ => return Err(Reason::Numbers { word, count: 3, most: LARGEST }),
         };
         *kept += &format!("{word} {r} {g} {b}\n");
     } else if let Some(word) = amounts.into_iter().find(|amount| *amount == word) {
-        let amount = rest.split_whitespace().next_back().and_then(number);
-        let amount = amount.ok_or(Reason::Numbers { word, count: 1 })?;
+        let amount = rest.split_whitespace().next_back().and_then(|word| number(word, LARGEST));
+        let amount = amount.ok_or(Reason::Numbers { word, count: 1, most: LARGEST })?;
         // What one part of the programs calls `Tr`, transparency, others call `d`, what is left of opacity.
         *kept += &if word == "Tr" { format!("d {}\n", 1.0 - amount) } else { format!("{word} {amount}\n") };
     } else if word == "newmtl" {
@@ -94,7 +94,7 @@ fn check(line: &str, kept: &mut String) -> Result<(), Reason> {
             Some(_) => *kept += &format!("map_Kd {rest}\n"),
         }
     } else if word == "illum" {
-        let model: u8 = rest.parse().map_err(|_| Reason::Numbers { word: "illum", count: 1 })?;
+        let model: u8 = rest.parse().map_err(|_| Reason::Numbers { word: "illum", count: 1, most: 255.0 })?;
         *kept += &format!("illum {model}\n");
     }
     Ok(())

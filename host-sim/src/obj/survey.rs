@@ -10,7 +10,10 @@ pub const MAX_TRIANGLES: usize = 1 << 18;
 pub const MAX_RUNS: usize = 1 << 16;
 
 /// Is the largest magnitude of a number.
-const LARGEST: f64 = 1e12;
+pub const LARGEST: f64 = 1e12;
+
+/// Is the largest magnitude of a texture coordinate, which every number can hold.
+const MOST_COPIES: f64 = 1024.0;
 
 /// Is faces in a row of one material.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -69,8 +72,8 @@ impl Survey {
         let rest = rest.trim();
         match word {
             "v" => self.place(rest)?,
-            "vt" => self.numbers(1, rest, 2)?,
-            "vn" => self.numbers(2, rest, 3)?,
+            "vt" => self.numbers(1, rest, 2, MOST_COPIES)?,
+            "vn" => self.numbers(2, rest, 3, LARGEST)?,
             "f" => self.face(rest)?,
             "mtllib" if rest.is_empty() => return Err(Reason::Name("mtllib")),
             "mtllib" => {
@@ -99,20 +102,20 @@ impl Survey {
     /// Takes a point; a colour behind it is left out.
     fn place(&mut self, rest: &str) -> Result<(), Reason> {
         let words: Vec<&str> = rest.split_whitespace().collect();
-        self.numbers(0, rest, 3)?;
-        let wrong = Reason::Numbers { word: "v", count: 3 };
+        self.numbers(0, rest, 3, LARGEST)?;
+        let wrong = Reason::Numbers { word: "v", count: 3, most: LARGEST };
         match (words.len(), words.get(3)) {
-            // A weight of 0 is a point infinitely far away.
-            (4, Some(weight)) if !number(weight).is_some_and(|weight| weight == 1.0) => Err(wrong),
+            // Other weights belong to rational curves.
+            (4, Some(weight)) if !number(weight, 1.0).is_some_and(|weight| weight == 1.0) => Err(wrong),
             (3 | 4 | 6, _) => Ok(()),
             _ => Err(wrong),
         }
     }
 
-    fn numbers(&mut self, part: usize, rest: &str, count: usize) -> Result<(), Reason> {
+    fn numbers(&mut self, part: usize, rest: &str, count: usize, most: f64) -> Result<(), Reason> {
         let words: Vec<&str> = rest.split_whitespace().take(count).collect();
-        if words.len() < count || !words.iter().all(|word| number(word).is_some()) {
-            return Err(Reason::Numbers { word: PARTS[part], count });
+        if words.len() < count || !words.iter().all(|word| number(word, most).is_some()) {
+            return Err(Reason::Numbers { word: PARTS[part], count, most });
         }
         self.given[part] += 1;
         self.keep(PARTS[part], &words);
@@ -176,6 +179,6 @@ impl Survey {
 }
 
 /// Reads a number that is not too large.
-pub(super) fn number(word: &str) -> Option<f64> {
-    word.parse().ok().filter(|number: &f64| number.abs() <= LARGEST)
+pub(super) fn number(word: &str, most: f64) -> Option<f64> {
+    word.parse().ok().filter(|number: &f64| number.abs() <= most)
 }

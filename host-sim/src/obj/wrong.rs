@@ -28,12 +28,14 @@ pub enum Reason {
     Library(String, io::Error),
     /// It has more bytes than this.
     TooLarge(u64),
-    /// Numbers are missing, or one of them is none, or not from -1e12 to 1e12.
+    /// Numbers are missing, or one of them is none, or too large.
     Numbers {
         /// The word that the line begins with.
         word: &'static str,
         /// How many it takes.
         count: usize,
+        /// The largest magnitude.
+        most: f64,
     },
     /// A face has fewer than three corners.
     Face,
@@ -103,8 +105,11 @@ impl fmt::Display for Reason {
             Self::NotAFile => f.write_str("it is no file"),
             Self::Library(name, error) => write!(f, "the library `{name}` cannot be read: {error}"),
             Self::TooLarge(most) => write!(f, "the file has more than {most} bytes"),
-            Self::Numbers { word, count } => {
-                write!(f, "`{word}` takes {count} numbers from -1e12 to 1e12")
+            Self::Numbers { word, count: 1, most } => {
+                write!(f, "`{word}` takes a number from -{most:?} to {most:?}")
+            }
+            Self::Numbers { word, count, most } => {
+                write!(f, "`{word}` takes {count} numbers from -{most:?} to {most:?}")
             }
             Self::Face => f.write_str("a face has three corners or more"),
             Self::Corner(text) => {
