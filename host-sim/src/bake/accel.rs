@@ -5,7 +5,7 @@ use scanray::accel::Every;
 
 /// Names a kind of hierarchy.
 ///
-/// To add one: a variant, its arm in [`Accel::build`], and its [`Written`].
+/// To add one: a variant, its arms in [`Accel::build`] and [`Accel::build_in_place`], and its [`Written`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Accel {
     /// A tree of boxes.
@@ -34,7 +34,15 @@ impl Accel {
                 let tree = Box::leak(Box::new(bvh.leak_in_order()));
                 Built { order: Some(bvh.order), tree }
             }
-            Self::None => Built { order: None, tree: Box::leak(Box::new(Every(boxes.len() as u16))) },
+            Self::None => Built { order: None, tree: self.build_in_place(boxes) },
+        }
+    }
+
+    /// Builds a hierarchy over things that keep their order, as [`Accel::build`] does.
+    pub fn build_in_place<S: Literal>(self, boxes: &[Bounds]) -> &'static dyn Written<S> {
+        match self {
+            Self::Bvh => Box::leak(Box::new(Bvh::build(boxes).leak())),
+            Self::None => Box::leak(Box::new(Every(boxes.len() as u16))),
         }
     }
 }

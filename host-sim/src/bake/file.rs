@@ -112,8 +112,8 @@ fn table(bill: &Bill) -> String {
     }
     let _ = writeln!(
         text,
-        "//! | all | {} |\n//!\n//! Meshes, objects and materials hold addresses: they are counted with 64 bits each, \
-         and are smaller on a device.",
+        "//! | all | {} |\n//!\n//! Meshes, objects and materials hold addresses: they are counted with 64 bits each,\n\
+         //! and are smaller on a device.",
         bill.total()
     );
     text

@@ -11,6 +11,7 @@ mod cube;
 pub mod file;
 pub mod grid;
 mod indexed;
+pub mod objects;
 pub mod octahedron;
 pub mod source;
 

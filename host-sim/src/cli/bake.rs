@@ -3,6 +3,7 @@ use super::look::scene;
 use super::{Error, report};
 use crate::bake::file::{self, Failure, File};
 use crate::bake::source::{Literal, Planted};
+use crate::bake::{Accel, objects};
 use crate::model::{Options, Plan};
 use crate::obj;
 use crate::picture::MAX_DEPTH;
@@ -43,17 +44,20 @@ fn bake<S: Literal>(args: &BakeArgs) -> Result<File, Error> {
     } else {
         refuse_options(&args.options())?;
         let entry = scene(&args.scene)?;
-        (planted_entry(&entry)?, vec![])
+        (planted_entry(&entry, args.accel)?, vec![])
     };
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     Ok(file::write(&planted, &file, facts, args.flash)?)
 }
 
-/// Makes a scene of the gallery or of a file, whose hierarchies are not known, ready to be written.
-fn planted_entry<S: Literal>(entry: &Entry) -> Result<Planted<S>, Error> {
+/// Makes a scene of the gallery or of a file ready to be written.
+fn planted_entry<S: Literal>(entry: &Entry, accel: Option<Accel>) -> Result<Planted<S>, Error> {
     let view = *S::view(entry);
     check(&view).map_err(|error| Error::refused(entry, Refusal::Core(error)))?;
-    Ok(Planted { view, grown: vec![], tree: None })
+    Ok(match accel {
+        Some(Accel::None) | None => Planted { view, grown: vec![], tree: None },
+        Some(accel) => objects::plant(&view, entry.double, accel),
+    })
 }
 
 /// Tells whether the core draws a scene in its number.

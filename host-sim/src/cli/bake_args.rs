@@ -19,9 +19,9 @@ pub(super) struct BakeArgs {
     /// Number the program computes in
     #[arg(long, value_enum, default_value = "f32")]
     pub number: BakedNumber,
-    /// Hierarchy over the triangles of a model
-    #[arg(long, value_enum, default_value = "bvh")]
-    pub accel: Accel,
+    /// Hierarchy over the triangles of a model [default: bvh], or over the objects of a scene [default: none]
+    #[arg(long, value_enum)]
+    pub accel: Option<Accel>,
     /// Refuse more data than these bytes, such as 2M or 256K
     #[arg(long, value_name = "BYTES", value_parser = bytes)]
     pub flash: Option<usize>,
@@ -48,7 +48,12 @@ pub(super) enum BakedNumber {
 impl BakeArgs {
     /// Answers what goes for models only.
     pub fn options(&self) -> Options {
-        Options { smooth: self.smooth, exact: self.exact, floor: self.floor, accel: self.accel }
+        Options {
+            smooth: self.smooth,
+            exact: self.exact,
+            floor: self.floor,
+            accel: self.accel.unwrap_or_default(),
+        }
     }
 }
 

@@ -106,10 +106,10 @@ impl fmt::Display for Reason {
             Self::Library(name, error) => write!(f, "the library `{name}` cannot be read: {error}"),
             Self::TooLarge(most) => write!(f, "the file has more than {most} bytes"),
             Self::Numbers { word, count: 1, most } => {
-                write!(f, "`{word}` takes a number from -{most:?} to {most:?}")
+                write!(f, "`{word}` takes a number from -{most} to {most}")
             }
             Self::Numbers { word, count, most } => {
-                write!(f, "`{word}` takes {count} numbers from -{most:?} to {most:?}")
+                write!(f, "`{word}` takes {count} numbers from -{most} to {most}")
             }
             Self::Face => f.write_str("a face has three corners or more"),
             Self::Corner(text) => {

@@ -51,9 +51,12 @@ impl Literal for Fixed {
     const WORD: &'static str = "fixed";
     const OF_THREE: &'static str = "from_f64";
 
-    /// Each value is one of `f64` too, of at most 32 bits.
+    /// The fewest decimals that are rounded to the same bits: seven tell any two steps of 2^-20 apart.
     fn digits(self) -> String {
-        format!("{:?}", self.to_f64())
+        let value = self.to_f64();
+        let texts = (1..=7).map(|decimals| format!("{value:.decimals$}"));
+        let mut right = texts.filter(|text| text.parse().is_ok_and(|read| Self::new(read) == self));
+        right.next().unwrap_or_else(|| format!("{value:?}"))
     }
 
     fn number(self) -> String {
@@ -98,5 +101,9 @@ mod tests {
     fn every_literal_has_a_point_or_an_exponent() {
         assert_eq!([1.0_f32, -0.0, 1e20, 1e-9].map(Literal::digits), ["1.0", "-0.0", "1e20", "1e-9"]);
         assert_eq!(Fixed::new(3.0).number(), "Fixed::new(3.0)");
+        assert_eq!(
+            [0.1, -0.78, 1.0 / 3.0].map(|value| Fixed::new(value).digits()),
+            ["0.1", "-0.78", "0.333333"]
+        );
     }
 }

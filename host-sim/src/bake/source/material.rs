@@ -12,22 +12,22 @@ pub(super) fn material<S: Literal>(material: &Material<S>, pool: &mut Pool<'_, S
     };
     let usual = Material::textured(material.texture);
     if let Some(bump) = &material.bump {
-        text += &format!(".with_bump({})", self::bump(bump, pool)?);
+        text += &format!("\n        .with_bump({})", self::bump(bump, pool)?);
     }
     if material.model != usual.model {
-        text += &format!(".with_model({})", model(&material.model)?);
+        text += &format!("\n        .with_model({})", model(&material.model)?);
     }
     if material.ambient != usual.ambient {
-        text += &format!(".with_ambient({})", material.ambient.number());
+        text += &format!("\n        .with_ambient({})", material.ambient.number());
     }
     if (material.specular, material.shininess) != (usual.specular, usual.shininess) {
-        text += &format!(".with_specular({}, {})", S::color(material.specular), material.shininess);
+        text += &format!("\n        .with_specular({}, {})", S::color(material.specular), material.shininess);
     }
     if material.mirror != usual.mirror {
-        text += &format!(".with_mirror({})", material.mirror.number());
+        text += &format!("\n        .with_mirror({})", material.mirror.number());
     }
     if let Some(glass) = &material.glass {
-        text += &format!(".with_glass({})", self::glass(glass)?);
+        text += &format!("\n        .with_glass({})", self::glass(glass)?);
     }
     Some(text)
 }

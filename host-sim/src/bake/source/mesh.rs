@@ -20,7 +20,9 @@ pub(super) fn write<S: Literal>(place: usize, grown: &Grown<S>, layout: &mut Lay
     }
     if let Some(bounds) = mesh.bounds {
         let [center, half] = [bounds.center, bounds.half].map(S::vector);
-        item += &format!("\n    .with_bounds(aabb::Aabb {{ center: {center}, half: {half} }})");
+        item += &format!(
+            "\n    .with_bounds(aabb::Aabb {{\n        center: {center},\n        half: {half},\n    }})"
+        );
     }
     layout.item("", &item);
     let triples = |list: &'static [[u16; 3]]| list.iter().map(|triple| format!("{triple:?}"));

@@ -31,7 +31,9 @@ pub(super) fn sky<S: Literal>(sky: &Sky<S>, pool: &mut Pool<'_, S>, layout: &mut
         Sky::Solid(color) => format!("Sky::Solid({})", S::color(*color)),
         Sky::Gradient { up, nadir, zenith } => {
             let (up, nadir, zenith) = (S::vector(*up), S::color(*nadir), S::color(*zenith));
-            format!("Sky::Gradient {{ up: {up}, nadir: {nadir}, zenith: {zenith} }}")
+            format!(
+                "Sky::Gradient {{\n        up: {up},\n        nadir: {nadir},\n        zenith: {zenith},\n    }}"
+            )
         }
         Sky::Cube(cube) => {
             let faces = cube.faces.map(|face| pool.image(face));

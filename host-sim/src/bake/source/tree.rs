@@ -45,7 +45,7 @@ impl<S: Literal> Written<S> for Bvh<S> {
         let listed = if items.is_empty() { "&[]".to_owned() } else { format!("&{name}_ITEMS") };
         let item = format!(
             "static {name}: accel::Bvh<{0}> = accel::Bvh {{\n    \
-             lattice: accel::Lattice::new({low}, {side}),\n    \
+             lattice: accel::Lattice::new(\n        {low},\n        {side},\n    ),\n    \
              nodes: &{name}_NODES,\n    count: {count},\n    items: {listed},\n}}",
             S::NAME
         );
