@@ -58,7 +58,7 @@ fn workshop(test: &str) -> Desk {
 /// Builds the program in a folder that stays, so that the core is compiled once.
 fn cargo(desk: &Desk, arguments: &str) -> Output {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap());
-    command.args(arguments.split_whitespace()).arg("--offline").current_dir(&desk.0);
+    command.arg("--offline").args(arguments.split_whitespace()).current_dir(&desk.0);
     command.env("CARGO_TARGET_DIR", PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("baked"));
     // Wrappers and flags are those of the test's own build.
     command.env_remove("RUSTFLAGS").output().unwrap()

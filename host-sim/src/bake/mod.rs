@@ -1,7 +1,7 @@
 //! What is made on a desktop so that a device only has to walk it.
 //!
-//! Hierarchies over things in boxes ([`Bvh`]), what of a mesh is told in few bits ([`grid`], [`octahedron`]), and
-//! whole scenes as Rust source ([`source`], [`mod@file`]).
+//! Hierarchies over things in boxes ([`Bvh`]), what of a mesh is told in few bits ([`grid`], [`octahedron`]),
+//! and whole scenes as Rust source ([`source`], [`mod@file`]).
 
 mod accel;
 mod bill;

@@ -5,9 +5,9 @@ use super::{Accel, Bounds};
 use scanray::gallery::View;
 use scanray::{Intersect, Object};
 
-/// Puts a hierarchy over the objects of a scene that have an end; those that have none come behind them in the
-/// list, each kind in its order, so that the picture is the same but where an object of one kind coincides with
-/// one of the other.
+/// Puts a hierarchy over the objects of a scene that have an end; those that have none come behind them in
+/// the list, each kind in its order, so that the picture is the same but where an object of one kind
+/// coincides with one of the other.
 ///
 /// `exact` is the same scene in `f64`. The list stays in memory as long as the program runs.
 pub fn plant<S: Literal>(view: &View<S>, exact: &View<f64>, accel: Accel) -> Planted<S> {

@@ -8,8 +8,8 @@ use crate::scene_file::value::point;
 use scanray::aabb::Aabb;
 use scanray::{Corners, Mesh, Normals};
 
-/// Makes the mesh of a piece in a number, its triangles in the order that the hierarchy wants; it stays in memory
-/// as long as the program runs.
+/// Makes the mesh of a piece in a number, its triangles in the order that the hierarchy wants; it stays in
+/// memory as long as the program runs.
 pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Accel) -> Grown<S> {
     let boxes: Vec<Bounds> =
         piece.triangles.iter().map(|triangle| Bounds::around(piece.corners(*triangle, packing))).collect();
@@ -47,7 +47,8 @@ fn lists<S: Literal>(piece: &Piece, packing: &Packing) -> (Corners<S>, Normals<S
     }
 }
 
-/// Answers the box in a number, wider by what rounding may take: 8 steps of fixed point and 8 roundings of `f32`.
+/// Answers the box in a number, wider by what rounding may take: 8 steps of fixed point and 8 roundings of
+/// `f32`.
 fn hull<S: Literal>(bounds: &Bounds) -> Aabb<S> {
     let margin = 2_f64.powi(-17) + bounds.largest() * 2_f64.powi(-20);
     let center = std::array::from_fn(|axis| bounds.middle(axis));

@@ -1,9 +1,10 @@
 //! Models: triangles without a camera, a light or a unit, and their way to a scene of the core.
 //!
 //! - [`Model`]: what a reader of a format hands over. [`paint`]: what its surfaces do with light.
-//! - [`smooth`]: normals for triangles that have none; [`place`]: the unit and the place that suit every number.
-//! - [`piece`]: corners that triangles share, no more of either than a mesh can number; [`mod@mesh`]: the core's
-//!   mesh of them, with its hierarchy.
+//! - [`smooth`]: normals for triangles that have none; [`place`]: the unit and the place that suit every
+//!   number.
+//! - [`piece`]: corners that triangles share, no more of either than a mesh can number; [`mod@mesh`]: the
+//!   core's mesh of them, with its hierarchy.
 //! - [`view`]: camera and light that show it; [`mod@plant`]: the scene.
 
 pub mod mesh;

@@ -117,7 +117,8 @@ pub fn pieces(model: &Model, packing: &Packing) -> (Vec<Piece>, usize) {
     (pieces, dropped)
 }
 
-/// Scales a corner's normal to unit length; one without length is none, but there must be one where others are.
+/// Scales a corner's normal to unit length; one without length is none, but there must be one where others
+/// are.
 fn unit_normal(corner: Corner) -> Corner {
     Corner { normal: corner.normal.map(|normal| unit(normal).unwrap_or([0.0, 1.0, 0.0])), ..corner }
 }

@@ -8,9 +8,9 @@ use std::collections::HashMap;
 /// take too long.
 const MOST: usize = 1024;
 
-/// Gives each corner that has none the normal of a surface which is smooth but for edges sharper than an angle
-/// in degrees: the mean of the normals, by area, of those triangles around the place that are inclined to its
-/// own by no more than that (H. Gouraud 1971; the angle is Wavefront's).
+/// Gives each corner that has none the normal of a surface which is smooth but for edges sharper than an
+/// angle in degrees: the mean of the normals, by area, of those triangles around the place that are inclined
+/// to its own by no more than that (H. Gouraud 1971).
 pub fn smooth(model: &mut Model, degrees: f64) {
     let around = faces_around(model);
     let least = degrees.to_radians().cos();

@@ -1,10 +1,10 @@
 //! Wavefront OBJ and MTL files: what 3D programs write, as a [`Model`](crate::model::Model).
 //!
-//! The format is that of Wavefront's Advanced Visualizer (appendix B1 of its manual, version 4.0). `docs/baking.md`
-//! says what of it is understood. A file goes through three steps:
+//! The format is that of Wavefront's Advanced Visualizer (appendix B1 of its manual).
+//! `docs/baking.md` says what of it is understood. A file goes through three steps:
 //!
-//! - [`mod@survey`], [`library`]: every line that says something of surfaces is checked, so that a mistake is told with
-//!   its line; all others are left out.
+//! - [`mod@survey`], [`library`]: every line that says something of surfaces is checked, so that a mistake is
+//!   told with its line; all others are left out.
 //! - The crate `tobj` reads the lines that are left, and cuts polygons into triangles.
 //! - [`mod@read`]: its lists become a model. [`wrong`]: what may be wrong.
 

@@ -68,7 +68,8 @@ fn text(path: &Path) -> Result<String, Mistake> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// Lists the triangles by the places of their materials in the library; without one, the place behind the last.
+/// Lists the triangles by the places of their materials in the library; without one, the place behind the
+/// last.
 fn parts(survey: &Survey, library: &Library) -> Result<Vec<Part>, tobj::LoadError> {
     let options =
         LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
@@ -91,8 +92,8 @@ fn parts(survey: &Survey, library: &Library) -> Result<Vec<Part>, tobj::LoadErro
     Ok(parts)
 }
 
-/// Lists the triangles of faces; of normals and texture coordinates that are not given at each corner there are
-/// none.
+/// Lists the triangles of faces; of normals and texture coordinates that are not given at each corner there
+/// are none.
 fn triangles(mesh: &tobj::Mesh, run: &Run) -> Vec<[Corner; 3]> {
     fn at<const N: usize>(list: &[f64], indices: &[u32], corner: usize) -> Option<[f64; N]> {
         list.as_chunks().0.get(*indices.get(corner)? as usize).copied()

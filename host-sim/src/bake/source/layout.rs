@@ -5,6 +5,9 @@ use std::fmt::Write;
 /// Is how wide a line may be.
 const WIDTH: usize = 110;
 
+/// Is what a line of data begins with; a space follows before each datum.
+const INDENT: &str = "   ";
+
 /// Is items of source, one after another.
 #[derive(Clone, Debug, Default)]
 pub struct Layout {
@@ -37,11 +40,11 @@ impl Layout {
 
 /// Writes data with commas, as many to a line as there is room for.
 fn wrapped(data: impl Iterator<Item = String>) -> String {
-    let (mut text, mut line) = (String::new(), String::from("   "));
+    let (mut text, mut line) = (String::new(), String::from(INDENT));
     for datum in data {
         if line.len() + datum.len() + 2 > WIDTH {
-            text.push_str(&line);
-            line = String::from("\n   ");
+            text = text + &line + "\n";
+            line.truncate(INDENT.len());
         }
         let _ = write!(line, " {datum},");
     }
