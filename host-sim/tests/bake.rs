@@ -11,13 +11,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Lists what is baked: the name of a module, the scene, the number and other options.
-const BAKED: [[&str; 3]; 8] = [
+const BAKED: [[&str; 3]; 9] = [
     ["vase_f32", "vase.obj", "f32"],
     ["vase_fixed", "vase.obj", "fixed"],
     ["temple_f32", "temple.ron", "f32"],
     ["temple_fixed", "temple.ron", "fixed"],
     ["temple_tree", "temple.ron", "fixed --accel bvh"],
     ["planets_fixed", "planets.ron", "fixed"],
+    ["environment_f32", "environment.ron", "f32"],
     ["still_life_f32", "still-life", "f32"],
     ["smooth_fixed", "smooth", "fixed"],
 ];
