@@ -11,7 +11,7 @@ use scanray::{Intersect, Object};
 ///
 /// `exact` is the same scene in `f64`. The list stays in memory as long as the program runs.
 pub fn plant<S: Literal>(view: &View<S>, exact: &View<f64>, accel: Accel) -> Planted<S> {
-    let bounds = exact.scene.objects.iter().map(|object| bounds(object));
+    let bounds = exact.scene.objects.iter().map(bounds);
     let (mut bounded, mut endless, mut boxes) = (vec![], vec![], vec![]);
     for (object, bounds) in view.scene.objects.iter().zip(bounds) {
         match bounds {

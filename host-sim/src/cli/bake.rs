@@ -30,7 +30,7 @@ pub(super) fn run(args: &BakeArgs, out: &mut impl Write) -> Result<(), Error> {
     for (about, say) in &baked.facts {
         report::line(out, about, say)?;
     }
-    report::line(out, "flash", &baked.bill)?;
+    report::line(out, "flash", baked.bill)?;
     Ok(report::line(out, "file", path.display())?)
 }
 
