@@ -1,4 +1,4 @@
-use super::grid::Grid;
+use super::steps::Steps;
 use super::octahedron::fold;
 use super::{Bounds, Bvh};
 use scanray::accel::BvhNode;
@@ -38,7 +38,7 @@ impl Indexed {
     /// Packs the mesh.
     pub fn pack(&self) -> Packed {
         let bounds = Bounds::around(self.places.iter().copied());
-        let grid = Grid::over(&bounds);
+        let grid = Steps::over(&bounds);
         let steps: Vec<[u16; 3]> = self.places.iter().map(|place| grid.steps(*place)).collect();
         let place = |corner: u16| grid.place(steps[usize::from(corner)]);
         let boxes: Vec<Bounds> =

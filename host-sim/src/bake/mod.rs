@@ -1,6 +1,6 @@
 //! What is made on a desktop so that a device only has to walk it.
 //!
-//! Hierarchies over things in boxes ([`Bvh`]), what of a mesh is told in few bits ([`grid`], [`octahedron`]),
+//! Hierarchies over things in boxes ([`Bvh`]), what of a mesh is told in few bits ([`steps`], [`octahedron`]),
 //! and whole scenes as Rust source ([`source`], [`mod@file`]).
 
 mod accel;
@@ -9,11 +9,12 @@ mod bounds;
 mod bvh;
 mod cube;
 pub mod file;
-pub mod grid;
+
 mod indexed;
 pub mod objects;
 pub mod octahedron;
 pub mod source;
+pub mod steps;
 
 pub use accel::{Accel, Built};
 pub use bill::Bill;

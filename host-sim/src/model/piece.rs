@@ -2,7 +2,7 @@
 
 use super::vector::{area, sub, unit};
 use super::{Corner, Model};
-use crate::bake::grid::Grid;
+use crate::bake::steps::Steps;
 use crate::bake::octahedron::{self, fold};
 use std::collections::HashMap;
 
@@ -13,7 +13,7 @@ const MOST: usize = u16::MAX as usize;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Packing {
     /// In 16 bits a coordinate and two bytes a normal.
-    Packed(Grid),
+    Packed(Steps),
     /// As they are.
     Exact,
 }
@@ -177,7 +177,7 @@ mod tests {
     #[test]
     fn what_is_too_much_for_a_mesh_becomes_several_that_hold_all() {
         let model = strip(150_000);
-        let grid = Grid::over(&Bounds { low: [0.0; 3], high: [200_000.0, 1.0, 1.0] });
+        let grid = Steps::over(&Bounds { low: [0.0; 3], high: [200_000.0, 1.0, 1.0] });
         let (pieces, dropped) = pieces(&model, &Packing::Exact);
         assert_eq!(pieces.iter().map(|piece| piece.triangles.len()).sum::<usize>(), 150_000);
         assert!(pieces.len() == 3 && pieces.iter().all(|piece| piece.places.len() <= MOST));

@@ -4,7 +4,7 @@ use super::piece::{Packing, Piece, pieces};
 use super::place::Place;
 use super::smooth::smooth;
 use super::{Model, mesh, view};
-use crate::bake::grid::Grid;
+use crate::bake::steps::Steps;
 use crate::bake::source::{Literal, Planted};
 use crate::bake::{Accel, Bounds};
 use crate::scene_file::value::point;
@@ -50,7 +50,7 @@ impl Plan {
             smooth(&mut model, degrees);
         }
         let packing =
-            if options.exact { Packing::Exact } else { Packing::Packed(Grid::over(&model.bounds())) };
+            if options.exact { Packing::Exact } else { Packing::Packed(Steps::over(&model.bounds())) };
         let (pieces, dropped) = pieces(&model, &packing);
         (!pieces.is_empty()).then_some(Self { model, pieces, packing, dropped, place, options })
     }

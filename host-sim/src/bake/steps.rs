@@ -7,14 +7,14 @@ const STEPS: f64 = 65_536.0;
 
 /// Is a box whose sides are cut into 65536 steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grid {
+pub struct Steps {
     /// The corner of the lowest coordinates.
     pub low: [f64; 3],
     /// Lengths of the sides.
     pub sides: [f64; 3],
 }
 
-impl Grid {
+impl Steps {
     /// Makes the grid whose first and last step are the sides of a box.
     pub fn over(bounds: &Bounds) -> Self {
         // A box without extent along an axis has one place there, whatever the step.
@@ -49,7 +49,7 @@ mod tests {
             shares in prop::array::uniform3(0.0..=1.0),
         ) {
             let high: [f64; 3] = std::array::from_fn(|axis| low[axis] + sides[axis]);
-            let grid = Grid::over(&Bounds { low, high });
+            let grid = Steps::over(&Bounds { low, high });
             let place = std::array::from_fn(|axis| low[axis] + sides[axis] * shares[axis]);
             let back = grid.place(grid.steps(place));
             for axis in 0..3 {
