@@ -1,5 +1,5 @@
-use super::steps::Steps;
 use super::octahedron::fold;
+use super::steps::Steps;
 use super::{Bounds, Bvh};
 use scanray::accel::BvhNode;
 

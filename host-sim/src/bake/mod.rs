@@ -3,10 +3,10 @@
 //! Hierarchies over things in boxes ([`Bvh`]), what of a mesh is told in few bits ([`steps`], [`octahedron`]),
 //! and whole scenes as Rust source ([`source`], [`mod@file`]).
 
-mod accel;
 mod bill;
 mod bounds;
 mod bvh;
+mod choice;
 mod cube;
 pub mod file;
 
@@ -16,9 +16,9 @@ pub mod octahedron;
 pub mod source;
 pub mod steps;
 
-pub use accel::{Accel, Built};
 pub use bill::Bill;
 pub use bounds::Bounds;
 pub use bvh::Bvh;
+pub use choice::{Choice, Ordered};
 pub use cube::Cube;
 pub use indexed::{Indexed, Packed};

@@ -1,7 +1,7 @@
 //! Hierarchies over the objects of a scene.
 
 use super::source::{Literal, Planted};
-use super::{Accel, Bounds};
+use super::{Bounds, Choice};
 use scanray::gallery::View;
 use scanray::{Intersect, Object};
 
@@ -10,7 +10,7 @@ use scanray::{Intersect, Object};
 /// coincides with one of the other.
 ///
 /// `exact` is the same scene in `f64`. The list stays in memory as long as the program runs.
-pub fn plant<S: Literal>(view: &View<S>, exact: &View<f64>, accel: Accel) -> Planted<S> {
+pub fn plant<S: Literal>(view: &View<S>, exact: &View<f64>, accel: Choice) -> Planted<S> {
     let bounds = exact.scene.objects.iter().map(bounds);
     let (mut bounded, mut endless, mut boxes) = (vec![], vec![], vec![]);
     for (object, bounds) in view.scene.objects.iter().zip(bounds) {

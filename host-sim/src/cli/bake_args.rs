@@ -1,4 +1,4 @@
-use crate::bake::Accel;
+use crate::bake::Choice;
 use crate::model::Options;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -21,7 +21,7 @@ pub(super) struct BakeArgs {
     pub number: BakedNumber,
     /// Hierarchy over the triangles of a model [default: bvh], or over the objects of a scene [default: none]
     #[arg(long, value_enum)]
-    pub accel: Option<Accel>,
+    pub accel: Option<Choice>,
     /// Refuse more data than these bytes, such as 2M or 256K
     #[arg(long, value_name = "BYTES", value_parser = bytes)]
     pub flash: Option<usize>,

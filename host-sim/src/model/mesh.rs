@@ -3,14 +3,14 @@
 use super::piece::{Packing, Piece};
 use crate::bake::octahedron::fold;
 use crate::bake::source::{Grown, Literal};
-use crate::bake::{Accel, Bounds};
+use crate::bake::{Bounds, Choice};
 use crate::scene_file::value::point;
 use scanray::aabb::Aabb;
 use scanray::{Corners, Mesh, Normals};
 
 /// Makes the mesh of a piece in a number, its triangles in the order that the hierarchy wants; it stays in
 /// memory as long as the program runs.
-pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Accel) -> Grown<S> {
+pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Choice) -> Grown<S> {
     let boxes: Vec<Bounds> =
         piece.triangles.iter().map(|triangle| Bounds::around(piece.corners(*triangle, packing))).collect();
     let built = accel.build::<S>(&boxes);

@@ -2,8 +2,8 @@
 
 use super::vector::{area, sub, unit};
 use super::{Corner, Model};
-use crate::bake::steps::Steps;
 use crate::bake::octahedron::{self, fold};
+use crate::bake::steps::Steps;
 use std::collections::HashMap;
 
 /// Is how many triangles and how many corners a mesh can number.

@@ -5,9 +5,9 @@ use scanray::accel::Every;
 
 /// Names a kind of hierarchy.
 ///
-/// To add one: a variant, its arms in [`Accel::build`] and [`Accel::build_in_place`], and its [`Written`].
+/// To add one: a variant, its arms in [`Choice::build`] and [`Choice::build_in_place`], and its [`Written`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Accel {
+pub enum Choice {
     /// A tree of boxes.
     #[default]
     Bvh,
@@ -17,28 +17,28 @@ pub enum Accel {
 
 /// Is a hierarchy that was built, in a number.
 #[derive(Clone, Debug)]
-pub struct Built<S: Literal> {
+pub struct Ordered<S: Literal> {
     /// The order in which it takes the things to be listed; none if it takes them as they are.
     pub order: Option<Vec<u16>>,
     /// The hierarchy.
     pub tree: &'static dyn Written<S>,
 }
 
-impl Accel {
+impl Choice {
     /// Builds a hierarchy over things that lie in boxes, at most 65535; it stays in memory as long as the
     /// program runs.
-    pub fn build<S: Literal>(self, boxes: &[Bounds]) -> Built<S> {
+    pub fn build<S: Literal>(self, boxes: &[Bounds]) -> Ordered<S> {
         match self {
             Self::Bvh => {
                 let bvh = Bvh::build(boxes);
                 let tree = Box::leak(Box::new(bvh.leak_in_order()));
-                Built { order: Some(bvh.order), tree }
+                Ordered { order: Some(bvh.order), tree }
             }
-            Self::None => Built { order: None, tree: self.build_in_place(boxes) },
+            Self::None => Ordered { order: None, tree: self.build_in_place(boxes) },
         }
     }
 
-    /// Builds a hierarchy over things that keep their order, as [`Accel::build`] does.
+    /// Builds a hierarchy over things that keep their order, as [`Choice::build`] does.
     pub fn build_in_place<S: Literal>(self, boxes: &[Bounds]) -> &'static dyn Written<S> {
         match self {
             Self::Bvh => Box::leak(Box::new(Bvh::build(boxes).leak())),
