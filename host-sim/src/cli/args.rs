@@ -1,3 +1,4 @@
+use super::bake_args::BakeArgs;
 use super::look::{Curve, Look, size};
 use super::rays::Rays;
 use crate::bake::Accel;
@@ -21,6 +22,7 @@ use std::path::PathBuf;
         scanray render c-ray --panel mono           draw a scene as a black and white panel shows it\n  \
         scanray export simple -o mine.ron           write a scene as a file, to be changed\n  \
         scanray render mine.ron                     draw the scene of a file\n  \
+        scanray bake model.obj -o model.rs          make a model data of a program\n  \
         scanray show three-spheres                  walk around a scene in a window\n  \
         scanray compare --all                       judge every number by the reference"
 )]
@@ -52,6 +54,8 @@ pub(super) enum Command {
     Race(RaceArgs),
     /// Measure how the work of a ray grows with the number of things, by each kind of hierarchy
     Hierarchies(HierarchiesArgs),
+    /// Write a scene or a model as Rust source, for a program without files
+    Bake(BakeArgs),
     /// Name the scenes of the gallery, and of files
     List(ListArgs),
     /// Write a scene as a file that every command takes in its place, to be changed

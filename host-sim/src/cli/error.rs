@@ -1,4 +1,6 @@
+use crate::bake::file as bake;
 use crate::bench::Failure;
+use crate::obj;
 use crate::race;
 use crate::scene_file::{self, Unsayable};
 use crate::scenes::{self, Entry};
@@ -15,6 +17,10 @@ pub enum Error {
     UnknownScene(String),
     /// A scene file cannot be read, or not be drawn.
     SceneFile(scene_file::Failure),
+    /// A model cannot be read.
+    Model(obj::Mistake),
+    /// A scene cannot be written as source.
+    Bake(bake::Failure),
     /// A scene cannot be written as a file.
     Export(Unsayable),
     /// A scene with images is to be written where no files can stand beside it.
@@ -68,10 +74,12 @@ impl fmt::Display for Error {
                     write!(f, "; did you mean '{nearest}'?")?;
                 }
                 f.write_str(
-                    "\n`scanray list` names them all; the name of a scene file ends in `.ron` or `.nff`.",
+                    "\n`scanray list` names them all; the name of a file ends in `.ron`, `.nff` or `.obj`.",
                 )
             }
             Self::SceneFile(failure) => failure.fmt(f),
+            Self::Model(mistake) => mistake.fmt(f),
+            Self::Bake(failure) => write!(f, "the scene cannot be baked: {failure}."),
             Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),
             Self::ImagesToTerminal => f.write_str(
                 "the scene has images, which are written beside its file, and a terminal has no room for them.\n\
@@ -116,6 +124,18 @@ impl From<io::Error> for Error {
 impl From<scene_file::Failure> for Error {
     fn from(failure: scene_file::Failure) -> Self {
         Self::SceneFile(failure)
+    }
+}
+
+impl From<obj::Mistake> for Error {
+    fn from(mistake: obj::Mistake) -> Self {
+        Self::Model(mistake)
+    }
+}
+
+impl From<bake::Failure> for Error {
+    fn from(failure: bake::Failure) -> Self {
+        Self::Bake(failure)
     }
 }
 

@@ -1,7 +1,9 @@
 use super::Error;
 use super::rays::Rays;
 use crate::dither::Method;
+use crate::model::{Options, entry};
 use crate::nff;
+use crate::obj;
 use crate::panel::Panel;
 use crate::picture::{MAX_DEPTH, MAX_SIDE};
 use crate::scene_file::SceneFile;
@@ -16,7 +18,7 @@ use std::path::Path;
 /// Is what a picture is to look like.
 #[derive(Debug, Args)]
 pub(super) struct Look {
-    /// Scene of the gallery, which `scanray list` names, or a file FILE.ron or FILE.nff
+    /// Scene of the gallery, which `scanray list` names, or a file FILE.ron, FILE.nff or FILE.obj
     #[arg(value_name = "SCENE", default_value = "simple")]
     pub scene: String,
     /// Number the picture is traced in
@@ -70,6 +72,7 @@ impl Look {
 pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
     match scenes::find(name) {
         Some(entry) => Ok(entry),
+        None if obj::is_named(Path::new(name)) => Ok(entry(&obj::plan(Path::new(name), Options::default())?)),
         None if is_file(name) => {
             let entry = scenes::read(Path::new(name))?;
             for note in entry.file.map_or(&[][..], SceneFile::notes) {

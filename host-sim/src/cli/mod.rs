@@ -3,6 +3,8 @@
 mod adaptive;
 mod approaches;
 mod args;
+mod bake;
+mod bake_args;
 mod bench;
 mod compare;
 mod dither;
@@ -78,6 +80,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Bench(args) => bench::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
+        Command::Bake(args) => bake::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
     }

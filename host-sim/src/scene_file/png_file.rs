@@ -83,7 +83,7 @@ pub(super) static UNREAD: &dyn Texels = &Pixels { size: [0, 0], levels: vec![] }
 ///
 /// # Errors
 /// What is wrong with it; of one that is too large no more than the header has been read.
-pub(super) fn read(path: &Path, most_texels: u32) -> Result<Bitmap, Unreadable> {
+pub fn read(path: &Path, most_texels: u32) -> Result<Bitmap, Unreadable> {
     let decoder = open(path)?;
     let (columns, rows) = decoder.dimensions();
     if columns * rows > most_texels {
