@@ -8,6 +8,7 @@ pub mod cli;
 pub mod compare;
 pub mod dither;
 pub mod growth;
+mod image_error;
 pub mod images;
 pub mod memory;
 pub mod meshes;

@@ -1,7 +1,8 @@
 //! Pictures as PNG files.
 
+use crate::image_error::into_io;
 use crate::shot::Picture;
-use image::{ExtendedColorType, ImageError, ImageFormat};
+use image::{ExtendedColorType, ImageFormat};
 use std::io;
 use std::path::Path;
 
@@ -14,12 +15,4 @@ pub fn write(path: &Path, picture: &Picture) -> io::Result<()> {
     let bytes = picture.pixels.as_flattened();
     image::save_buffer_with_format(path, bytes, columns, rows, ExtendedColorType::Rgb8, ImageFormat::Png)
         .map_err(into_io)
-}
-
-/// Answers what the file system says of a picture that cannot be written.
-pub(crate) fn into_io(error: ImageError) -> io::Error {
-    match error {
-        ImageError::IoError(error) => error,
-        other => io::Error::other(other),
-    }
 }

@@ -1,7 +1,7 @@
 use super::bake_args::BakeArgs;
+use super::hierarchies_args::HierarchiesArgs;
 use super::look::{Curve, Look, size};
 use super::rays::Rays;
-use crate::bake::Accel;
 use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::shot::Number;
@@ -219,22 +219,6 @@ pub(super) struct RaceArgs {
     /// How often each program draws each picture; the fastest run counts
     #[arg(long, value_name = "N", default_value = "5")]
     pub runs: NonZeroUsize,
-}
-
-#[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  \
-    scanray hierarchies -o growth.png\n  \
-    scanray hierarchies --kind bvh --most 1000")]
-pub(super) struct HierarchiesArgs {
-    /// Measure this kind only
-    #[arg(long, value_enum)]
-    pub kind: Option<Accel>,
-    /// Measure crowds of no more things than this
-    #[arg(long, value_name = "N", default_value = "65535")]
-    pub most: u16,
-    /// File for a diagram of the work of a ray against the number of things
-    #[arg(short, long, value_name = "FILE.png")]
-    pub output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

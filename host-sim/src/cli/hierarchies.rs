@@ -1,4 +1,4 @@
-use super::args::HierarchiesArgs;
+use super::hierarchies_args::HierarchiesArgs;
 use super::progress::Progress;
 use super::{Error, report};
 use crate::bake::Accel;

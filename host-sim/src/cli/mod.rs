@@ -11,6 +11,7 @@ mod dither;
 mod error;
 mod export;
 mod hierarchies;
+mod hierarchies_args;
 mod list;
 mod look;
 mod progress;

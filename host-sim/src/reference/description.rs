@@ -4,12 +4,11 @@ use super::cone::Cone;
 use super::displaced::Displaced;
 use super::field::Field;
 use super::glass::Glass;
-use super::groups::Group;
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
-use super::volume::Volume;
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Tells that a description holds something the reference has no formula for.
@@ -39,6 +38,29 @@ pub struct Description {
     pub(super) camera: Camera,
     pub(super) depth: u8,
     pub(super) exposure: f64,
+}
+
+/// Is objects that stand side by side in the list: one, or neighbours in a mesh with a ball around them, which a
+/// ray that misses it need not be asked about.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    pub members: Range<usize>,
+    pub ball: Option<(Vector, f64)>,
+}
+
+/// Is a body that light comes through.
+#[derive(Clone, Debug)]
+pub(super) struct Volume {
+    pub field: Field,
+    /// Value, colour and opacity of each class.
+    pub classes: Vec<(f64, Vector, f64)>,
+    pub density: f64,
+    /// Whether the value is that of the nearest node.
+    pub nearest: bool,
+    /// Number of samples of each piece.
+    pub samples: u32,
+    /// The transparency at which a ray ends.
+    pub faintest: f64,
 }
 
 #[derive(Clone, Debug)]

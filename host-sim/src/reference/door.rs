@@ -3,7 +3,7 @@
 use super::cone::Cone;
 use super::description::{
     Bump, Camera, Description, Light, Material, Model, Object, Output, Projection, Rounding, Shape, Sky,
-    Texture, Unknown,
+    Texture, Unknown, Volume,
 };
 use super::displaced::Displaced;
 use super::field::Field;
@@ -13,7 +13,6 @@ use super::mesh::{Corners, Mesh, Normals};
 use super::raster::{Image, Raster};
 use super::smooth::Smooth;
 use super::vector::Vector;
-use super::volume::Volume;
 use crate::panel::Panel;
 use std::sync::Arc;
 

@@ -1,18 +1,9 @@
-use super::description::{Object, Shape};
+use super::description::{Group, Object, Shape};
 use super::roots::Ray;
 use super::vector::Vector;
-use std::ops::Range;
 
 /// Is how many triangles of a mesh are passed together.
 const MOST: usize = 32;
-
-/// Is objects that stand side by side in the list: one, or neighbours in a mesh with a ball around them, which a
-/// ray that misses it need not be asked about.
-#[derive(Clone, Debug)]
-pub(super) struct Group {
-    pub members: Range<usize>,
-    ball: Option<(Vector, f64)>,
-}
 
 /// Groups the triangles of meshes, and leaves all else alone.
 pub(super) fn groups(objects: &[Object]) -> Vec<Group> {

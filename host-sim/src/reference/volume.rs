@@ -1,22 +1,7 @@
-use super::description::Light;
-use super::field::{Field, Piece};
+use super::description::{Light, Volume};
+use super::field::Piece;
 use super::roots::Ray;
 use super::vector::Vector;
-
-/// Is a body that light comes through.
-#[derive(Clone, Debug)]
-pub(super) struct Volume {
-    pub field: Field,
-    /// Value, colour and opacity of each class.
-    pub classes: Vec<(f64, Vector, f64)>,
-    pub density: f64,
-    /// Whether the value is that of the nearest node.
-    pub nearest: bool,
-    /// Number of samples of each piece.
-    pub samples: u32,
-    /// The transparency at which a ray ends.
-    pub faintest: f64,
-}
 
 impl Volume {
     /// Answers colour and opacity of a value: the sum of all classes, each with the weight of its tent.

@@ -4,7 +4,7 @@
 //! PNG file holds: grey ones if red, green and blue agree in every texel, else all three. Levels of fewer
 //! bits, of `Rgb565` for one, are spread over 8 bits so that each comes back when it is rounded again.
 
-use crate::png::into_io;
+use crate::image_error::into_io;
 use image::codecs::png::PngDecoder;
 use image::{ColorType, ExtendedColorType, ImageDecoder, ImageError, ImageFormat, Limits};
 use scanray::{Bitmap, Texels};

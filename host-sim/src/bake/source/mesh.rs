@@ -1,8 +1,8 @@
 //! Meshes in source: triangles, corners, normals and texture coordinates as rows of data.
 
+use super::grown::Grown;
 use super::layout::Layout;
 use super::literal::Literal;
-use super::pool::Grown;
 use crate::bake::Bill;
 use scanray::{Corners, Mesh, Normals};
 

@@ -3,6 +3,7 @@
 //! What is written is the core's own scene, number by number, so that the program draws the very picture that
 //! was drawn here. Numbers are written such that they are read back to the same bits ([`Literal`]).
 
+mod grown;
 mod layout;
 mod literal;
 mod material;
@@ -14,9 +15,9 @@ mod surroundings;
 mod tree;
 mod unwritable;
 
+pub use grown::Grown;
 pub use layout::Layout;
 pub use literal::Literal;
-pub use pool::Grown;
 pub use tree::Written;
 pub use unwritable::Unwritable;
 

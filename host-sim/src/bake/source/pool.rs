@@ -1,20 +1,12 @@
 //! What things of a scene borrow from flash: each is written once, under a name.
 
+use super::grown::Grown;
 use super::layout::Layout;
 use super::literal::Literal;
+use super::mesh;
 use super::picture::{self, Kind};
-use super::{mesh, tree::Written};
 use crate::bake::Bill;
 use scanray::{Bitmap, Mesh, Vec3, Vertex};
-
-/// Is a mesh with the hierarchy that it borrows, which says itself how it is written.
-#[derive(Clone, Copy, Debug)]
-pub struct Grown<S: Literal> {
-    /// The mesh.
-    pub mesh: &'static Mesh<S>,
-    /// Its hierarchy.
-    pub tree: &'static dyn Written<S>,
-}
 
 /// Holds what has been borrowed so far.
 #[derive(Debug)]

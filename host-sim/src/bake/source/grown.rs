@@ -1,0 +1,12 @@
+use super::literal::Literal;
+use super::tree::Written;
+use scanray::Mesh;
+
+/// Is a mesh with the hierarchy that it borrows, which says itself how it is written.
+#[derive(Clone, Copy, Debug)]
+pub struct Grown<S: Literal> {
+    /// The mesh.
+    pub mesh: &'static Mesh<S>,
+    /// Its hierarchy.
+    pub tree: &'static dyn Written<S>,
+}
