@@ -67,12 +67,12 @@ fn compare<S: Gallery>(smooth: bool) {
 
 #[test]
 fn a_mesh_is_its_smooth_triangles_to_the_bit_in_f32() {
-    [false, true].map(compare::<f32>);
+    [false, true].into_iter().for_each(compare::<f32>);
 }
 
 #[test]
 fn a_mesh_is_its_smooth_triangles_to_the_bit_in_fixed_point() {
-    [false, true].map(compare::<Fixed>);
+    [false, true].into_iter().for_each(compare::<Fixed>);
 }
 
 #[test]

@@ -97,8 +97,8 @@ impl Field {
         let (start, end) = (self.counted(ray.start), self.counted(ray.start + ray.direction));
         let (rate, sides) = (end - start, self.sides());
         let mut cuts = vec![];
-        for axis in 0..3 {
-            let planes = (0..sides[axis]).map(|plane| (plane as f64 - start.0[axis]) / rate.0[axis]);
+        for (axis, side) in sides.into_iter().enumerate() {
+            let planes = (0..side).map(|plane| (plane as f64 - start.0[axis]) / rate.0[axis]);
             cuts.extend(planes.filter(|t| t.is_finite()));
         }
         cuts.sort_by(f64::total_cmp);
