@@ -6,11 +6,17 @@ use host_sim::picture::{Film, trace};
 use host_sim::reference::Vector;
 use host_sim::scenes::HostNumber;
 use scanray::gallery::{Gallery, View};
-use scanray::{AtEdges, Fixed, Quality, Rgb, Uniform};
+use scanray::{AtEdges, Fixed, Quality, Rgb, Shape, Uniform};
 use std::sync::LazyLock;
 
-/// Is what two exact calculations may differ by.
-const FORMULAS: f64 = 1e-9;
+/// Answers what two exact calculations of a picture may differ by.
+///
+/// Where two triangles of a mesh meet either may be the one that is met: each reaches 1/65536 beyond its edges, and
+/// along an edge that is not flat the one is that much nearer.
+fn formulas(view: &View<f64>) -> f64 {
+    let meshes = view.scene.objects.iter().any(|object| matches!(object.shape, Shape::Mesh(_)));
+    if meshes { 1e-6 } else { 1e-9 }
+}
 
 static COMPARISONS: LazyLock<Vec<Comparison>> = LazyLock::new(|| {
     let compare = |view: &View<f64>| Comparison::trace(view, view.settings, view.size, |_| {});
@@ -46,7 +52,7 @@ fn every_scene_in_f64_has_the_light_of_the_reference_away_from_silhouettes() {
     for (view, comparison) in f64::views().iter().zip(&*COMPARISONS) {
         let off = comparison.light_difference(&film(view));
         println!("{}: {off:?}", view.name);
-        assert!(off.value <= FORMULAS, "{}: {off:?}", view.name);
+        assert!(off.value <= formulas(view), "{}: {off:?}", view.name);
     }
 }
 
@@ -114,11 +120,11 @@ fn nine_rays_a_pixel_in_f64_have_the_light_of_the_reference() {
     for (i, view) in f64::views().iter().enumerate() {
         let (reference, film) = sampled::<f64>(i, 3, Uniform(3));
         let off = reference.light_difference(&film);
-        assert!(off.value <= FORMULAS, "{}: {off:?}", view.name);
+        assert!(off.value <= formulas(view), "{}: {off:?}", view.name);
         // On silhouettes too, but for the few of their rays that rounding turns over; of a relief's outline more,
         // for both look for it in steps, and in steps of their own.
         let share = if view.name == "displaced" { 100 } else { 500 };
-        let differs = |(core, oracle): &(&Rgb<f64>, &Vector)| (core.g - oracle.0[1]).abs() > FORMULAS;
+        let differs = |(core, oracle): &(&Rgb<f64>, &Vector)| (core.g - oracle.0[1]).abs() > formulas(view);
         let turned = film.light.iter().zip(&reference.reference.light).filter(differs).count();
         println!("{}: {off:?}, {turned} turned over", view.name);
         assert!(turned * share <= film.light.len(), "{}: {turned} of {}", view.name, film.light.len());
