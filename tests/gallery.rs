@@ -45,5 +45,5 @@ fn the_numbers_hold_the_same_scene_to_their_last_digit() {
 
 #[test]
 fn a_scene_that_is_not_in_the_gallery_is_not_found() {
-    assert!(f32::find("teapot").is_none());
+    assert!(f32::find("kettle").is_none());
 }
