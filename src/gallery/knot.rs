@@ -16,7 +16,7 @@ super::in_every_number! {
     /// The knot.
     pub const VIEW: View<S> = View {
         name: "knot",
-        about: "a trefoil knot of 10240 smooth triangles in 353 KB of flash, with its shadow on a wall",
+        about: "a trefoil knot of 10240 smooth triangles in 266 KB of flash, with its shadow on a wall",
         scene: Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)
             .with_ambient(gray(0.15))
             .with_sky(Sky::Gradient { up: v(0.0, 1.0, 0.0), nadir: rgb(0.50, 0.42, 0.36), zenith: rgb(0.16, 0.20, 0.34) }),
