@@ -112,7 +112,7 @@ leaves_out_no_triangle! {
 #[test]
 fn as_many_things_as_a_number_can_name_are_held_by_every_kind() {
     let balls = Crowd::Balls.sizes().pop().unwrap();
-    let bounds: Vec<Bounds> = balls.iter().map(Thing::bounds).collect();
+    let bounds: Vec<Bounds> = balls.iter().take(65_535).map(Thing::bounds).collect();
     for accel in Accel::ALL {
         let hierarchy = accel.build(&bounds).leak::<f32>();
         assert_eq!((hierarchy.count(), hierarchy.check()), (65_535, Ok(())), "{accel:?}");

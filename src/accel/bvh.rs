@@ -1,4 +1,5 @@
-use super::lattice::{Lattice, Passage, Steps};
+use super::lattice::{Lattice, Steps};
+use super::slabs::Slabs;
 use super::{Hierarchy, Visit};
 use crate::fault::Fault;
 use crate::math::Scalar;
@@ -47,8 +48,8 @@ impl BvhNode {
     }
 
     /// Answers the child that a ray comes to first.
-    fn near_child<S: Scalar>(&self, passage: &Passage<S>) -> u16 {
-        self.link.saturating_add(u16::from(passage.descends(usize::from(self.axis))))
+    fn near_child(&self, slabs: &Slabs) -> u16 {
+        self.link.saturating_add(u16::from(slabs.descends(usize::from(self.axis))))
     }
 }
 
@@ -66,16 +67,15 @@ enum From {
 }
 
 impl<S: Scalar> Bvh<S> {
-    /// Names the items of a leaf; answers whether the walk goes on.
-    fn visit_leaf(&self, leaf: &BvhNode, passage: &mut Passage<S>, near: S, visit: Visit<'_, S>) -> bool {
+    /// Names the items of a leaf; answers how far the ray still looks.
+    fn visit_leaf(&self, leaf: &BvhNode, mut far: S, near: S, visit: Visit<'_, S>) -> S {
         for place in leaf.link..leaf.link.saturating_add(u16::from(leaf.items)) {
-            let far = visit(self.items.get(usize::from(place)).copied().unwrap_or(place));
+            far = visit(self.items.get(usize::from(place)).copied().unwrap_or(place));
             if far <= near {
-                return false;
+                break;
             }
-            passage.look_up_to(far);
         }
-        true
+        far
     }
 
     /// Tells whether an inner node is the parent of the two nodes that it links to, which come after it.
@@ -100,16 +100,22 @@ impl<S: Scalar> Bvh<S> {
 
 impl<S: Scalar> Hierarchy<S> for Bvh<S> {
     fn walk(&self, ray: &Ray<S>, interval: &Interval<S>, visit: Visit<'_, S>) {
-        let Some(mut passage) = self.lattice.enter(ray, interval) else { return };
+        let Some(entry) = self.lattice.enter(ray, interval) else { return };
+        let (mut slabs, mut far) = (Slabs::new(&entry, entry.far), interval.far);
         let (mut at, mut from) = (0_u16, From::Parent);
         while let Some(node) = self.nodes.get(usize::from(at)) {
-            if from != From::Child && passage.meets(&node.bounds) {
+            if from != From::Child && slabs.meets(&node.bounds) {
                 if !node.is_leaf() {
-                    (at, from) = (node.near_child(&passage), From::Parent);
+                    (at, from) = (node.near_child(&slabs), From::Parent);
                     continue;
                 }
-                if !self.visit_leaf(node, &mut passage, interval.near, visit) {
+                let nearer = self.visit_leaf(node, far, interval.near, visit);
+                if nearer <= interval.near {
                     return;
+                }
+                if nearer != far {
+                    far = nearer;
+                    slabs.look_up_to(&entry, far);
                 }
             }
             if at == 0 {
@@ -117,7 +123,7 @@ impl<S: Scalar> Hierarchy<S> for Bvh<S> {
             }
             let first = from == From::Parent
                 || from == From::Child
-                    && self.nodes.get(usize::from(node.parent)).map(|parent| parent.near_child(&passage))
+                    && self.nodes.get(usize::from(node.parent)).map(|parent| parent.near_child(&slabs))
                         == Some(at);
             (at, from) = if first { (sibling(at), From::Sibling) } else { (node.parent, From::Child) };
         }

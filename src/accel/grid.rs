@@ -84,7 +84,8 @@ impl<S: Scalar> Grid<S> {
 
 impl<S: Scalar> Hierarchy<S> for Grid<S> {
     fn walk(&self, ray: &Ray<S>, interval: &Interval<S>, visit: Visit<'_, S>) {
-        let Some(mut passage) = self.lattice.enter(ray, interval) else { return };
+        let Some(entry) = self.lattice.enter(ray, interval) else { return };
+        let mut passage = Passage::new(entry);
         let Some((near, _)) = passage.span(&self.bounds()) else { return };
         let (mut place, mut tracks) = self.begin(&passage, near);
         while let Some(list) = self.content.get(place as usize) {

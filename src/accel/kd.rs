@@ -1,5 +1,5 @@
 use super::breadth_first::BreadthFirst;
-use super::lattice::Lattice;
+use super::lattice::{Lattice, Passage};
 use super::lists::Lists;
 use super::{Hierarchy, Visit};
 use crate::fault::Fault;
@@ -60,7 +60,8 @@ struct Later<S> {
 
 impl<S: Scalar> Hierarchy<S> for Kd<S> {
     fn walk(&self, ray: &Ray<S>, interval: &Interval<S>, visit: Visit<'_, S>) {
-        let Some(mut passage) = self.lattice.enter(ray, interval) else { return };
+        let Some(entry) = self.lattice.enter(ray, interval) else { return };
+        let mut passage = Passage::new(entry);
         let Some((mut near, end)) = passage.span(&self.bounds) else { return };
         let mut later: Vec<Later<S>, DEPTH> = Vec::new();
         let mut at = 0;

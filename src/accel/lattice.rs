@@ -63,14 +63,33 @@ impl<S: Scalar> Course<S> {
     }
 }
 
-/// Is a ray in a lattice's own measure: the cube's side is 1 long, and the way begins where the ray enters
-/// the cube.
+/// Is where a ray enters a lattice's cube, in the cube's own measure: its side is 1 long.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry<S> {
+    /// Where that is: coordinates from 0 to 1, beyond them by what rounding makes of the ray.
+    pub starts: [S; 3],
+    /// The ray's direction.
+    pub slopes: [S; 3],
+    /// Distance from the ray's start to there, in world units.
+    at: S,
+    side: S,
+    /// Distance from the ray's start at which it leaves the cube, or up to which it looks.
+    pub far: S,
+}
+
+impl<S: Scalar> Entry<S> {
+    /// Answers how many sides lie between the entry and a distance from the ray's start: a little more.
+    pub fn sides_to(&self, far: S) -> S {
+        // 1/65536 of the side outweighs the rounding of two ratios.
+        (far - self.at).ratio(self.side) + S::PARALLEL
+    }
+}
+
+/// Is a ray in a lattice's own measure: the way begins where the ray enters the cube.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage<S> {
     courses: [Course<S>; 3],
-    /// Distance from the ray's start to where it enters, in world units.
-    entry: S,
-    side: S,
+    entry: Entry<S>,
     /// Distance from there up to which the ray looks.
     far: S,
 }
@@ -81,12 +100,12 @@ impl<S: Scalar> Lattice<S> {
         self.low.in_range() && self.side.in_range() && self.side > S::ZERO
     }
 
-    /// Answers the ray from where it enters the cube on; `None` if it passes it within the interval.
-    pub(super) fn enter(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Passage<S>> {
+    /// Answers where a ray enters the cube; `None` if it passes it within the interval.
+    pub(super) fn enter(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Entry<S>> {
         let (mut near, mut far) = (interval.near.max(S::ZERO), interval.far);
         let from = (self.low - ray.origin).to_array();
-        let along = ray.direction.to_array();
-        for (low, slope) in from.into_iter().zip(along) {
+        let slopes = ray.direction.to_array();
+        for (low, slope) in from.into_iter().zip(slopes) {
             if is_across(slope) {
                 continue;
             }
@@ -97,16 +116,9 @@ impl<S: Scalar> Lattice<S> {
         if near > far + slack {
             return None;
         }
-        let entry = (near - slack).max(S::ZERO);
-        let offset = (ray.at(entry) - self.low).to_array();
-        let mut courses = [Course { start: S::ZERO, slope: S::ZERO, inverse: S::ZERO }; 3];
-        for ((course, offset), slope) in courses.iter_mut().zip(offset).zip(along) {
-            let inverse = if is_across(slope) { S::ZERO } else { slope.recip() };
-            *course = Course { start: offset.ratio(self.side), slope, inverse };
-        }
-        let mut passage = Passage { courses, entry, side: self.side, far: S::ZERO };
-        passage.look_up_to(far);
-        Some(passage)
+        let at = (near - slack).max(S::ZERO);
+        let starts = (ray.at(at) - self.low).to_array().map(|offset| offset.ratio(self.side));
+        Some(Entry { starts, slopes, at, side: self.side, far })
     }
 }
 
@@ -119,10 +131,19 @@ fn is_across<S: Scalar>(slope: S) -> bool {
 }
 
 impl<S: Scalar> Passage<S> {
+    /// Begins where a ray enters.
+    pub fn new(entry: Entry<S>) -> Self {
+        let mut courses = [Course { start: S::ZERO, slope: S::ZERO, inverse: S::ZERO }; 3];
+        for ((course, start), slope) in courses.iter_mut().zip(entry.starts).zip(entry.slopes) {
+            let inverse = if is_across(slope) { S::ZERO } else { slope.recip() };
+            *course = Course { start, slope, inverse };
+        }
+        Self { courses, entry, far: entry.sides_to(entry.far) }
+    }
+
     /// Moves the far end, given as a distance from the ray's start.
     pub fn look_up_to(&mut self, far: S) {
-        // 1/65536 of the side outweighs the rounding of two ratios.
-        self.far = (far - self.entry).ratio(self.side) + S::PARALLEL;
+        self.far = self.entry.sides_to(far);
     }
 
     /// Answers the far end.
@@ -146,11 +167,6 @@ impl<S: Scalar> Passage<S> {
         let place =
             self.courses.get(axis).map_or(S::ZERO, |course| course.start.add_product(course.slope, distance));
         u16::try_from(place.light_bits() >> 8).unwrap_or(u16::MAX)
-    }
-
-    /// Tells whether the ray meets a box before its far end.
-    pub fn meets(&self, bounds: &Steps) -> bool {
-        self.span(bounds).is_some()
     }
 
     /// Answers the distances between which the ray is in a box before its far end.

@@ -13,6 +13,7 @@ mod kd;
 mod lattice;
 mod lists;
 mod octree;
+mod slabs;
 
 pub use bvh::{Bvh, BvhNode};
 pub use every::Every;

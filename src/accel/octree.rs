@@ -124,7 +124,8 @@ impl Place {
 
 impl<S: Scalar> Hierarchy<S> for Octree<S> {
     fn walk(&self, ray: &Ray<S>, interval: &Interval<S>, visit: Visit<'_, S>) {
-        let Some(mut passage) = self.lattice.enter(ray, interval) else { return };
+        let Some(entry) = self.lattice.enter(ray, interval) else { return };
+        let mut passage = Passage::new(entry);
         let Some((near, _)) = passage.span(&self.bounds) else { return };
         let steps = [0, 1, 2].map(|axis| passage.step_at(axis, near));
         let mut place = Place { steps, path: [0; LEVELS], level: 0 };

@@ -28,6 +28,7 @@ mod vec3;
 pub use angle::{cosine, tan_half};
 pub use azimuth::{Arctangent, turns};
 pub use fixed::Fixed;
+pub(crate) use reciprocal::rough_reciprocal;
 pub use scalar::{Scalar, Wide};
 pub use units::Units;
 pub use vec3::{Vec3, WideVec3};

@@ -24,6 +24,12 @@ const fn lines() -> [u32; 64] {
     table
 }
 
+/// Answers 2^15 / x for x = `m` / 2^32, where `m` is at least 2^31, within 5e-5 relative: in 15 instructions.
+#[inline(always)]
+pub(crate) fn rough_reciprocal(m: u32) -> u16 {
+    seed(&LINES, m)
+}
+
 /// Is 1/x for x from 1/2 to 1, in two parts: 2^15 / x within 5e-5, and what x times that misses of 1.
 ///
 /// The miss r is so small that the step y (1 + r) ends with a product of 32 bits, whatever is to be divided.
@@ -36,7 +42,7 @@ impl Reciprocal {
     /// Takes x = `m` / 2^32, where `m` is at least 2^31.
     #[inline(always)]
     pub fn of(m: u32) -> Self {
-        let rough = seed(&LINES, m);
+        let rough = rough_reciprocal(m);
         let missing = (1_u32 << 31).wrapping_sub(high_by_half(m, rough)) as i32 >> 2;
         Self { rough, missing }
     }

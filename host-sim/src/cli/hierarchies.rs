@@ -8,11 +8,10 @@ use std::io::Write;
 
 /// Measures every kind of hierarchy over crowds of every size, prints a table and draws a diagram.
 pub(super) fn run(args: &HierarchiesArgs, out: &mut impl Write) -> Result<(), Error> {
-    let most = usize::from(args.most);
     let crowds: Vec<_> = Crowd::ALL
         .into_iter()
         .flat_map(|crowd| crowd.sizes().into_iter().map(move |things| (crowd, things)))
-        .filter(|(_, things)| things.len() <= most)
+        .filter(|(_, things)| things.len() <= args.most)
         .collect();
     let kinds = args.kind.map_or(Accel::ALL.to_vec(), |kind| vec![kind]);
     let mut progress = Progress::new((crowds.len() * kinds.len()) as u64, "building and walking".into());

@@ -11,8 +11,8 @@ pub(super) struct HierarchiesArgs {
     #[arg(long, value_enum)]
     pub kind: Option<Accel>,
     /// Measure crowds of no more things than this
-    #[arg(long, value_name = "N", default_value = "65535")]
-    pub most: u16,
+    #[arg(long, value_name = "N", default_value = "100000")]
+    pub most: usize,
     /// File for a diagram of the work of a ray against the number of things
     #[arg(short, long, value_name = "FILE.png")]
     pub output: Option<PathBuf>,

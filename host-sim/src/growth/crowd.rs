@@ -59,12 +59,12 @@ impl Crowd {
     pub fn sizes(self) -> Vec<Vec<Thing>> {
         match self {
             Self::Triangles => [1, 2, 4, 8, 16, 32, 57].map(bumpy_ball).to_vec(),
-            Self::Balls => [1, 10, 100, 1000, 10_000, 65_535].map(strewn_balls).to_vec(),
+            Self::Balls => [1, 10, 100, 1000, 10_000, 100_000].map(strewn_balls).to_vec(),
         }
     }
 }
 
-fn strewn_balls(count: u16) -> Vec<Thing> {
+fn strewn_balls(count: u32) -> Vec<Thing> {
     let mut random = Random::new();
     let radius = 1.0 / f64::from(count).sqrt();
     (0..count).map(|_| Thing::Ball(random.point(), radius)).collect()

@@ -1,6 +1,7 @@
 //! How the work of a ray grows with the number of things it may meet, by each kind of hierarchy.
 
 mod crowd;
+mod parts;
 mod plot;
 mod random;
 mod tally;
@@ -45,23 +46,25 @@ pub struct Sample {
 }
 
 /// Measures a kind of hierarchy over things: rays from all around look for the nearest.
+///
+/// A hierarchy holds 65535 things at most; of more each half has its own, and a ray asks one after the other.
 pub fn measure(crowd: Crowd, things: &[Thing], accel: Accel) -> Sample {
-    let bounds: Vec<Bounds> = things.iter().map(Thing::bounds).collect();
+    let parts = parts::parts(things);
     let begun = Instant::now();
-    let built = accel.build(&bounds);
+    let built: Vec<Built> = parts.iter().map(|part| accel.build(&bounds(part))).collect();
     let build = begun.elapsed();
     let few = if accel == Accel::None { ASKED / things.len().max(1) } else { RAYS };
     let rays = rays(few.clamp(1, RAYS));
     let before = Tally::operations();
-    let (asked, _) = look::<Tally>(things, &built, &rays);
+    let (asked, _) = look::<Tally>(&parts, &built, &rays);
     let operations = Tally::operations() - before;
-    let (_, time) = look::<f32>(things, &built, &rays);
+    let (_, time) = look::<f32>(&parts, &built, &rays);
     let share = |count: u64| count as f64 / rays.len() as f64;
     Sample {
         crowd,
         accel,
         things: things.len(),
-        bytes: built.bytes(),
+        bytes: built.iter().map(Built::bytes).sum(),
         build,
         asked: share(asked),
         operations: share(operations),
@@ -83,10 +86,18 @@ fn rays(count: usize) -> Vec<Aim> {
     (0..count).map(|_| next()).collect()
 }
 
+fn bounds(things: &[Thing]) -> Vec<Bounds> {
+    things.iter().map(Thing::bounds).collect()
+}
+
+/// Is things with the hierarchy over them, in a number.
+type Group<S> = (Vec<Shape<S>>, &'static dyn Hierarchy<S>);
+
 /// Looks for the nearest thing along each ray; answers how many were asked, and how long it took.
-fn look<S: Rounded>(things: &[Thing], built: &Built, rays: &[Aim]) -> (u64, Duration) {
-    let shapes: Vec<Shape<S>> = things.iter().map(Thing::shape).collect();
-    let hierarchy = built.leak::<S>();
+fn look<S: Rounded>(parts: &[Vec<Thing>], built: &[Built], rays: &[Aim]) -> (u64, Duration) {
+    let group =
+        |(part, built): (&Vec<Thing>, &Built)| (part.iter().map(Thing::shape).collect(), built.leak::<S>());
+    let groups: Vec<Group<S>> = parts.iter().zip(built).map(group).collect();
     let point = |place: [f64; 3]| Vec3::from_array(place.map(S::round));
     let rays: Vec<Ray<S>> = rays
         .iter()
@@ -96,19 +107,22 @@ fn look<S: Rounded>(things: &[Thing], built: &Built, rays: &[Aim]) -> (u64, Dura
         })
         .collect();
     let begun = Instant::now();
-    let asked = rays.iter().map(|ray| nearest(&shapes, hierarchy, ray)).sum();
+    let asked = rays.iter().map(|ray| nearest(&groups, ray)).sum();
     (asked, begun.elapsed())
 }
 
 /// Looks for the nearest shape and answers how many were asked.
-fn nearest<S: Rounded>(shapes: &[Shape<S>], hierarchy: &dyn Hierarchy<S>, ray: &Ray<S>) -> u64 {
+fn nearest<S: Rounded>(groups: &[Group<S>], ray: &Ray<S>) -> u64 {
     let (mut asked, mut interval) = (0, Interval::AHEAD);
-    hierarchy.walk(ray, &Interval::AHEAD, &mut |number| {
-        asked += 1;
-        if let Some(crossing) = shapes[usize::from(number)].intersect(ray, &interval) {
-            interval.far = crossing.t;
-        }
-        interval.far
-    });
+    for (shapes, hierarchy) in groups {
+        let ahead = interval;
+        hierarchy.walk(ray, &ahead, &mut |number| {
+            asked += 1;
+            if let Some(crossing) = shapes[usize::from(number)].intersect(ray, &interval) {
+                interval.far = crossing.t;
+            }
+            interval.far
+        });
+    }
     asked
 }
