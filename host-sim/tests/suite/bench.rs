@@ -3,14 +3,23 @@
 use host_sim::bench::{Choice, Snapshot, measure};
 use std::process::Command;
 
+/// Measures a sample: `cargo sim bench` measures all.
 #[test]
 #[ignore = "needs the firmware's targets, qemu-system-arm and node with rp2040js (run by .ci/run)"]
-fn every_scene_costs_on_every_chip_what_it_did_when_somebody_looked() {
-    let kept = Snapshot::read().unwrap_or_else(|failure| panic!("{failure}"));
-    let rows =
-        measure(Choice::default(), |what| eprintln!("{what}")).unwrap_or_else(|failure| panic!("{failure}"));
-    let complaints = kept.complaints(&rows);
+fn a_sample_with_every_scene_costs_what_it_did_when_somebody_looked() {
+    let choice = Choice { sample: true, ..Choice::default() };
+    let rows = measure(choice, |what| eprintln!("{what}")).unwrap_or_else(|failure| panic!("{failure}"));
+    let complaints = kept().complaints(&rows);
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+#[test]
+fn figures_are_kept_of_every_scene_on_every_chip_in_every_mode_and_of_nothing_else() {
+    assert_eq!(kept().strangers(&Choice::default().cases()), [""; 0]);
+}
+
+fn kept() -> Snapshot {
+    Snapshot::read().unwrap_or_else(|failure| panic!("{failure}"))
 }
 
 #[test]

@@ -6,7 +6,7 @@ use host_sim::picture::{Film, trace};
 use host_sim::reference::Vector;
 use host_sim::scenes::HostNumber;
 use scanray::gallery::{Gallery, View};
-use scanray::{AtEdges, Fixed, Quality, Rgb, Shape, Uniform};
+use scanray::{AtEdges, Fixed, Quality, Rgb, Scalar, Shape, Uniform};
 use std::sync::LazyLock;
 
 /// Answers what two exact calculations of a picture may differ by.
@@ -102,23 +102,34 @@ fn every_panel_shows_the_light_of_the_reference_within_one_level_and_nearly_alwa
     }
 }
 
-/// Compares a scene in half its size with the reference, both with several rays a pixel.
+/// Is how many rays a side of a pixel takes.
+const SIDE: u8 = 3;
+
+/// Answers the size of a picture that takes as many rays as the scene's own with one a pixel.
+fn sampled_size<S: Scalar>(view: &View<S>) -> [u32; 2] {
+    view.size.map(|side| side / u32::from(SIDE))
+}
+
+static SAMPLED: LazyLock<Vec<Comparison>> = LazyLock::new(|| {
+    let compare = |view: &View<f64>| {
+        Comparison::trace_samples(view, view.settings, sampled_size(view), u32::from(SIDE), |_| {})
+    };
+    f64::views().iter().map(compare).collect::<Result<_, _>>().expect("the reference knows the gallery")
+});
+
+/// Draws each scene with several rays a pixel, beside the reference's picture of as many.
 fn sampled<S: Gallery + HostNumber>(
-    i: usize,
-    side: u8,
     quality: impl Quality + Sync,
-) -> (Comparison, Film<S>) {
-    let (view, exact) = (&S::views()[i], &f64::views()[i]);
-    let size = view.size.map(|side| side / 2);
-    let reference = Comparison::trace_samples(exact, exact.settings, size, u32::from(side), |_| {});
-    let film = trace(view, view.settings.with_quality(quality), size, |_| {});
-    (reference.expect("the reference knows the gallery"), film.expect("the gallery can be drawn"))
+) -> impl Iterator<Item = (&'static View<S>, &'static Comparison, Film<S>)> {
+    S::views().iter().zip(&*SAMPLED).map(move |(view, reference)| {
+        let film = trace(view, view.settings.with_quality(quality), sampled_size(view), |_| {});
+        (view, reference, film.expect("the gallery can be drawn"))
+    })
 }
 
 #[test]
 fn nine_rays_a_pixel_in_f64_have_the_light_of_the_reference() {
-    for (i, view) in f64::views().iter().enumerate() {
-        let (reference, film) = sampled::<f64>(i, 3, Uniform(3));
+    for (view, reference, film) in sampled::<f64>(Uniform(SIDE)) {
         let off = reference.light_difference(&film);
         assert!(off.value <= formulas(view), "{}: {off:?}", view.name);
         // On silhouettes too, but for the few of their rays that rounding turns over; of a relief's outline more,
@@ -134,8 +145,7 @@ fn nine_rays_a_pixel_in_f64_have_the_light_of_the_reference() {
 #[test]
 fn several_rays_a_pixel_on_edges_are_within_55_db_of_the_reference_away_from_silhouettes() {
     fn check<S: Gallery + HostNumber>(number: &str) {
-        for (i, view) in S::views().iter().enumerate() {
-            let (reference, film) = sampled::<S>(i, 3, AtEdges(Uniform(3)));
+        for (view, reference, film) in sampled::<S>(AtEdges(Uniform(SIDE))) {
             let subject = Subject { scene: view.name, number, panel: Panel::Rgb888 };
             let figures = reference.figures(subject, &film);
             println!("{figures:?}");
