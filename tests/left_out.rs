@@ -1,5 +1,7 @@
 //! What a program is built without is refused by name; what it is built with is drawn.
 
+#[allow(dead_code, unused_imports, reason = "this program uses a part")]
+#[path = "suite/support/mod.rs"]
 mod support;
 
 use embedded_graphics::image::ImageRaw;

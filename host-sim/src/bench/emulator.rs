@@ -42,19 +42,20 @@ pub fn qemu(chip: &Chip, image: &Image, stride: u32) -> Command {
             &format!("enable=on,target=native,arg=measure,arg={stride}"),
             "-kernel",
         ])
-        .arg(&image.path);
+        .arg(image.path.as_os_str());
     qemu
 }
 
-/// Runs the image and counts instructions: with `shift=0` each takes a nanosecond of the board's time.
-pub fn count_instructions(chip: &Chip, image: &Image) -> Result<Said, Failure> {
-    listen(QEMU, qemu(chip, image, 1).args(["-icount", "shift=0"]))
+/// Runs each `stride`th row of the image and counts instructions: with `shift=0` each takes a nanosecond of the
+/// board's time.
+pub fn count_instructions(chip: &Chip, image: &Image, stride: u32) -> Result<Said, Failure> {
+    listen(QEMU, qemu(chip, image, stride).args(["-icount", "shift=0"]))
 }
 
 /// Runs each `stride`th row of the image on the emulated RP2040, which counts cycles.
 pub fn count_cycles(image: &Image, stride: u32) -> Result<Said, Failure> {
     let script = project().join("host-sim/boards/measure.mjs");
-    listen("node", Command::new("node").arg(script).arg(&image.path).arg(stride.to_string()))
+    listen("node", Command::new("node").arg(script).arg(image.path.as_os_str()).arg(stride.to_string()))
 }
 
 /// Runs a program to its end.

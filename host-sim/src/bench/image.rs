@@ -5,6 +5,7 @@ use object::{Object, ObjectSection, SectionFlags, SectionKind, elf};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use tempfile::{NamedTempFile, TempPath};
 
 /// Takes the place of the target's own flags: every core has the memory of the same board, and names of
 /// functions keep their type parameters, which changes no instruction.
@@ -14,8 +15,8 @@ const FLAGS: &str =
 /// Is an image of the measuring firmware.
 #[derive(Debug)]
 pub struct Image {
-    /// Where it lies.
-    pub path: PathBuf,
+    /// Where it lies, as long as this lasts: the next image takes its place among the built ones.
+    pub path: TempPath,
 }
 
 /// Counts bytes by where they live.
@@ -58,21 +59,28 @@ impl Image {
         let messages = String::from_utf8_lossy(&output.stdout);
         let built = messages.lines().filter_map(|line| serde_json::from_str::<Built>(line).ok());
         match built.filter_map(|built| built.executable).next_back() {
-            Some(path) if output.status.success() => Ok(Self { path }),
+            Some(path) if output.status.success() => Self::keep(&path),
             _ => Err(Failure::Build(String::from_utf8_lossy(&output.stderr).into_owned())),
         }
     }
 
+    fn keep(built: &Path) -> Result<Self, Failure> {
+        let failure = |error: std::io::Error| Failure::File(built.to_owned(), error.to_string());
+        let path = NamedTempFile::new().map_err(failure)?.into_temp_path();
+        std::fs::copy(built, &path).map_err(failure)?;
+        Ok(Self { path })
+    }
+
     /// Reads the file.
     pub fn read(&self) -> Result<Vec<u8>, Failure> {
-        std::fs::read(&self.path).map_err(|error| Failure::File(self.path.clone(), error.to_string()))
+        std::fs::read(&self.path).map_err(|error| Failure::File(self.path.to_path_buf(), error.to_string()))
     }
 
     /// Counts the bytes that the image takes on the chip.
     pub fn sizes(&self) -> Result<Sizes, Failure> {
         let bytes = self.read()?;
         let file = object::File::parse(&*bytes)
-            .map_err(|error| Failure::File(self.path.clone(), error.to_string()))?;
+            .map_err(|error| Failure::File(self.path.to_path_buf(), error.to_string()))?;
         let mut sizes = Sizes::default();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };

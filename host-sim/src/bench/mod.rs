@@ -3,6 +3,7 @@
 //! An image of `examples/measure` is built for each scene and chip and run on the emulated chip. The host
 //! checks that the chip drew the very picture whose distance from the reference it tells.
 
+mod case;
 mod chip;
 mod emulator;
 mod failure;
@@ -17,6 +18,7 @@ mod snapshot;
 mod table;
 mod truth;
 
+pub use case::{Case, Choice};
 pub use chip::{CHIPS, Chip};
 pub use failure::Failure;
 pub use profile::{Profile, profile, report};
@@ -24,9 +26,10 @@ pub use row::Row;
 pub use snapshot::{Snapshot, WORST_PSNR};
 pub use table::table;
 
-use crate::scenes::{self, Entry};
 use emulator::Said;
 use image::Image;
+use std::sync::mpsc;
+use std::thread;
 use truth::Truth;
 
 /// Is the size of the pictures, that of the peers' published figures.
@@ -56,86 +59,58 @@ pub const SHOWS: [&str; 16] = [
     "isosurface",
 ];
 
-/// Names the ways in which a scene is drawn for the table: all of those for the peers' scenes.
-fn modes(scene: &str) -> &'static [&'static str] {
-    match scene {
-        "three-spheres" => &["exact", "adaptive", "uniform", "jittered", "at-edges", "progressive", "raster"],
-        "simple" => &["exact", "adaptive", "raster"],
-        "z-buffer" => &["exact", "raster"],
-        _ if SHOWS.contains(&scene) => &["exact"],
-        _ => &["exact", "adaptive"],
-    }
-}
-
-/// Chooses what to measure; nothing chosen is everything.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Choice<'a> {
-    /// The only scene, one of the gallery.
-    pub scene: Option<&'a str>,
-    /// The only chip.
-    pub chip: Option<&'static Chip>,
-}
-
-impl Choice<'_> {
-    /// Answers the scenes to measure.
-    pub fn scenes(&self) -> Vec<Entry> {
-        match self.scene {
-            Some(name) => scenes::find(name).into_iter().collect(),
-            None => SCENES.iter().chain(&SHOWS).filter_map(|name| scenes::find(name)).collect(),
-        }
-    }
-
-    /// Answers the chips to measure on.
-    pub fn chips(&self) -> impl Iterator<Item = &'static Chip> {
-        CHIPS.iter().filter(|chip| self.chip.is_none_or(|only| only.name == chip.name))
-    }
-}
-
 /// Measures what is chosen; `begin` is told what is at work.
+///
+/// An image is built while the one before it runs: both take about as long, and each of them one processor.
 ///
 /// # Errors
 /// What keeps an image from being built or run, or a picture that is not the host's.
 pub fn measure(choice: Choice<'_>, mut begin: impl FnMut(&str)) -> Result<Vec<Row>, Failure> {
-    let mut rows = vec![];
-    for scene in choice.scenes() {
-        begin(&format!("{}: the reference", scene.name()));
-        let truth = Truth::trace(scene)?;
-        for chip in choice.chips() {
-            for mode in modes(scene.name()) {
-                let mut begin =
-                    |what: &str| begin(&format!("{} on {}, {mode}: {what}", scene.name(), chip.name));
-                rows.push(measure_in(mode, chip, &truth, &mut begin)?);
-            }
-        }
-    }
-    Ok(rows)
+    let cases = choice.cases();
+    let (sender, images) = mpsc::sync_channel(0);
+    thread::scope(|scope| {
+        let mut builds =
+            cases.iter().map(|Case { scene, chip, mode }| Image::build(chip, scene.name(), mode));
+        // Whoever failed no longer listens.
+        scope.spawn(move || builds.try_for_each(|image| sender.send(image)));
+        let mut truth: Option<Truth> = None;
+        let measured = cases.iter().zip(images).map(|(case, image)| {
+            let name = case.scene.name();
+            let known = truth.take().filter(|truth| truth.scene.name() == name);
+            let truth = truth.insert(known.map_or_else(|| Truth::trace(case.scene), Ok)?);
+            begin(&format!("{name} on {}, {}", case.chip.name, case.mode));
+            measure_case(case, &image?, truth)
+        });
+        measured.collect()
+    })
 }
 
-fn measure_in(mode: &str, chip: &Chip, truth: &Truth, begin: &mut dyn FnMut(&str)) -> Result<Row, Failure> {
-    let scene = truth.scene.name();
-    begin("building");
-    let image = Image::build(chip, scene, mode)?;
+fn measure_case(case: &Case, image: &Image, truth: &Truth) -> Result<Row, Failure> {
+    let Case { scene, chip, mode } = case;
     let sizes = image.sizes()?;
-    begin("counting instructions");
-    let said = emulator::count_instructions(chip, &image)?;
+    let said = emulator::count_instructions(chip, image, 1)?;
     let judged = truth.judge(chip, mode)?;
     if said.figure(mode, "checksum")? != judged.checksum {
-        return Err(Failure::OtherPicture(scene.to_owned(), chip.name));
+        return Err(Failure::OtherPicture(scene.name().to_owned(), chip.name));
     }
-    let mut row = Row::new(chip, scene, mode, sizes, &said, &judged)?;
+    let mut row = Row::new(chip, scene.name(), mode, sizes, &said, &judged)?;
     // A progressive picture has no rows of its own of which some could stand for all.
-    if chip.counts_cycles && mode != "progressive" {
-        begin("counting cycles");
-        add_cycles(&image, &said, &mut row)?;
+    if chip.counts_cycles && *mode != "progressive" {
+        add_cycles(chip, image, &said, &mut row)?;
     }
     Ok(row)
 }
 
-/// Adds cycles, counted on a slower emulator: of so many rows as it traces in some seconds.
-fn add_cycles(image: &Image, said: &Said, row: &mut Row) -> Result<(), Failure> {
+/// Adds cycles: those that an instruction takes on a slower emulator, in so many rows as it traces in some seconds,
+/// but in eight at least.
+///
+/// Rows differ in their work by far more than in the cycles of an instruction, so that a few say those of the frame.
+fn add_cycles(chip: &Chip, image: &Image, said: &Said, row: &mut Row) -> Result<(), Failure> {
     const PATIENCE: u64 = 75_000_000;
-    let stride = (said.count(&row.mode)?.div_ceil(PATIENCE) as u32).clamp(1, SIZE[1]);
-    let said = emulator::count_cycles(image, stride)?;
-    row.set_cycles(said.count(&row.mode)?, stride);
+    const FEWEST_ROWS: u32 = 8;
+    let stride = (said.count(&row.mode)?.div_ceil(PATIENCE) as u32).clamp(1, SIZE[1] / FEWEST_ROWS);
+    let cycles = emulator::count_cycles(image, stride)?.count(&row.mode)?;
+    let instructions = emulator::count_instructions(chip, image, stride)?.count(&row.mode)?;
+    row.set_cycles(cycles as f64 / instructions as f64, stride);
     Ok(())
 }

@@ -17,7 +17,7 @@ pub struct Row {
     pub mode: String,
     /// Executed instructions a pixel, of the whole frame with encoding.
     pub instr_per_px: f64,
-    /// Cycles a pixel, of the same, where they are known.
+    /// Cycles a pixel, of the same, where they are known: instructions times the cycles of one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cycles_per_px: Option<f64>,
     /// Bytes of the whole image in flash.
@@ -31,7 +31,7 @@ pub struct Row {
     /// The same of the whole picture.
     #[serde(skip)]
     pub psnr_all_db: f64,
-    /// Tells that cycles were counted in each so manieth row.
+    /// Tells that the cycles of an instruction were counted in each so manieth row.
     #[serde(skip)]
     pub stride: u32,
 }
@@ -68,10 +68,9 @@ impl Row {
         })
     }
 
-    /// Adds the cycles that each `stride`th row takes.
-    pub(super) fn set_cycles(&mut self, cycles: u64, stride: u32) {
-        let pixels = f64::from(SIZE[0]) * f64::from(SIZE[1].div_ceil(stride));
-        self.cycles_per_px = Some(round(cycles as f64 / pixels, 1));
+    /// Adds the cycles, of which an instruction takes so many in each `stride`th row.
+    pub(super) fn set_cycles(&mut self, an_instruction: f64, stride: u32) {
+        self.cycles_per_px = Some(round(self.instr_per_px * an_instruction, 1));
         self.stride = stride;
     }
 

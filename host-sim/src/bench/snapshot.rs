@@ -1,5 +1,5 @@
 use super::image::project;
-use super::{Failure, Row};
+use super::{Case, Failure, Row};
 use std::path::PathBuf;
 
 /// Is the least ratio in dB that a row may have.
@@ -47,10 +47,18 @@ impl Snapshot {
 
     /// Answers a complaint for each figure that is not what it was, and for each picture that is too wrong.
     pub fn complaints(&self, rows: &[Row]) -> Vec<String> {
-        let mut complaints: Vec<String> = rows.iter().flat_map(|row| self.complaints_of(row)).collect();
-        let gone = self.0.iter().filter(|kept| !rows.iter().any(|row| row.is_of(kept)));
-        complaints.extend(gone.map(|kept| format!("{}: measured before and not now", name(kept))));
-        complaints
+        rows.iter().flat_map(|row| self.complaints_of(row)).collect()
+    }
+
+    /// Answers a complaint for each row of a picture that is not among those to measure, and the other way round.
+    pub fn strangers(&self, cases: &[Case]) -> Vec<String> {
+        let gone = self.0.iter().filter(|row| !cases.iter().any(|case| case.is_of(row)));
+        let new = cases.iter().filter(|case| !self.0.iter().any(|row| case.is_of(row)));
+        let gone = gone.map(|row| format!("{}: kept, but nobody measures it", name(row)));
+        let new = new.map(|Case { scene, chip, mode }| {
+            format!("{} on {}, {mode}: not measured before; keep it by `{UPDATE}`", scene.name(), chip.name)
+        });
+        gone.chain(new).collect()
     }
 
     fn complaints_of(&self, row: &Row) -> Vec<String> {
@@ -103,6 +111,7 @@ fn change(before: f64, now: f64) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Choice;
     use super::*;
 
     fn row(instr_per_px: f64, psnr_db: f64) -> Row {
@@ -148,9 +157,23 @@ mod tests {
 
     #[test]
     fn rows_that_come_or_go_are_complaints() {
-        let one = || vec![row(100.0, 70.0)];
-        assert_eq!(Snapshot(one()).complaints(&[]).len(), 1);
-        assert_eq!(Snapshot(vec![]).complaints(&one()).len(), 1);
+        let cases = Choice { scene: Some("stars"), ..Choice::default() }.cases();
+        let rows: Vec<Row> = cases
+            .iter()
+            .map(|Case { scene, chip, mode }| Row {
+                scene: scene.name().into(),
+                chip: chip.name.into(),
+                number: chip.number.name().into(),
+                mode: (*mode).into(),
+                ..row(100.0, 70.0)
+            })
+            .collect();
+        assert_eq!(Snapshot(rows.clone()).strangers(&cases), [""; 0]);
+        let gone = Snapshot(rows.clone()).strangers(&cases[1..]).concat();
+        assert!(gone.contains("stars on m4f in f32, exact: kept"), "{gone}");
+        let new = Snapshot(rows[1..].to_vec()).strangers(&cases).concat();
+        assert!(new.contains("stars on m4f, exact: not measured"), "{new}");
+        assert_eq!(Snapshot(vec![]).complaints(&rows[..1]).len(), 1);
     }
 
     #[test]

@@ -85,7 +85,10 @@ fn caption(rows: &[Row]) -> String {
             (a, b) if a == b => format!("of one row in {a}"),
             (a, b) => format!("of one row in {a} to {b}"),
         };
-        let _ = writeln!(text, "Cycles are those of rp2040js, an emulated RP2040 without flash waits, {of}.");
+        let _ = writeln!(
+            text,
+            "Cycles are instructions times the cycles of one on rp2040js, an emulated RP2040 without flash waits, {of}."
+        );
     }
     for (scene, name) in peers_of(rows) {
         let _ = writeln!(text, "Peer of {scene}: {name}.");

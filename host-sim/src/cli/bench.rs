@@ -7,7 +7,7 @@ use std::io::Write;
 /// Measures scenes on emulated chips, prints a table or a profile.
 pub(super) fn run(args: &BenchArgs, out: &mut impl Write) -> Result<(), Error> {
     let name = args.scene.as_deref().map(scene).transpose()?.map(|entry| entry.name());
-    let choice = Choice { scene: name, chip: args.chip };
+    let choice = Choice { scene: name, chip: args.chip, sample: false };
     if args.profile {
         let profiles = bench::profile(choice, tell)?;
         let text: String = profiles.iter().map(bench::report).collect();

@@ -1,0 +1,22 @@
+//! Scenes of the gallery as files, their images beside them.
+
+use host_sim::scene_file::{describe, png_file, write};
+use host_sim::scenes::Entry;
+use std::path::Path;
+
+/// Writes the images of a scene into a folder, under a stem; answers the text of its file.
+pub fn export(entry: &Entry, folder: &Path, stem: &str) -> String {
+    let mut description =
+        describe(entry.double).unwrap_or_else(|unsayable| panic!("{}: {unsayable}", entry.name()));
+    for image in description.name_images(stem) {
+        png_file::write(&folder.join(image.name), &image.bitmap).unwrap();
+    }
+    write(&description).expect("what was described can be written")
+}
+
+/// Leaves out of a text where images are in memory.
+pub fn anywhere(text: &str) -> String {
+    let mut pieces = text.split(" at 0x");
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |text, piece| text + piece.trim_start_matches(|c: char| c.is_ascii_hexdigit()))
+}
