@@ -2,7 +2,7 @@
 
 mod model_files;
 
-use host_sim::bake::Choice;
+use host_sim::bake::Accel;
 use host_sim::model::{Model, Options, Plan};
 use host_sim::obj::{self, Mistake, Reason};
 use proptest::prelude::*;
@@ -164,7 +164,7 @@ fn options() -> impl Strategy<Value = Options> {
             smooth,
             exact,
             floor,
-            accel: if tree { Choice::Bvh } else { Choice::None },
+            accel: if tree { Accel::Bvh } else { Accel::None },
         },
     )
 }
