@@ -46,9 +46,10 @@ pub fn qemu(chip: &Chip, image: &Image, stride: u32) -> Command {
     qemu
 }
 
-/// Runs the image and counts instructions: with `shift=0` each takes a nanosecond of the board's time.
-pub fn count_instructions(chip: &Chip, image: &Image) -> Result<Said, Failure> {
-    listen(QEMU, qemu(chip, image, 1).args(["-icount", "shift=0"]))
+/// Runs each `stride`th row of the image and counts instructions: with `shift=0` each takes a nanosecond of
+/// the board's time.
+pub fn count_instructions(chip: &Chip, image: &Image, stride: u32) -> Result<Said, Failure> {
+    listen(QEMU, qemu(chip, image, stride).args(["-icount", "shift=0"]))
 }
 
 /// Runs each `stride`th row of the image on the emulated RP2040, which counts cycles.

@@ -6,6 +6,7 @@
 mod chip;
 mod emulator;
 mod failure;
+mod hierarchies;
 mod image;
 mod needs;
 mod peers;
@@ -19,6 +20,7 @@ mod truth;
 
 pub use chip::{CHIPS, Chip};
 pub use failure::Failure;
+pub use hierarchies::{Cost, cost};
 pub use profile::{Profile, profile, report};
 pub use row::Row;
 pub use snapshot::{Snapshot, WORST_PSNR};
@@ -117,7 +119,7 @@ fn measure_in(mode: &str, chip: &Chip, truth: &Truth, begin: &mut dyn FnMut(&str
     let image = Image::build(chip, scene, mode)?;
     let sizes = image.sizes()?;
     begin("counting instructions");
-    let said = emulator::count_instructions(chip, &image)?;
+    let said = emulator::count_instructions(chip, &image, 1)?;
     let judged = truth.judge(chip, mode)?;
     if said.figure(mode, "checksum")? != judged.checksum {
         return Err(Failure::OtherPicture(scene.to_owned(), chip.name));

@@ -57,7 +57,7 @@ fn profile_in(mode: &str, chip: &Chip, scene: &str) -> Result<Profile, Failure> 
     let image = Image::build(chip, scene, mode)?;
     let file = image.read()?;
     let symbols = Symbols::read(&image.path, &file)?;
-    let stride = stride(emulator::count_instructions(chip, &image)?.count(mode)?);
+    let stride = stride(emulator::count_instructions(chip, &image, 1)?.count(mode)?);
     let counts = trace::trace(chip, &image, &symbols, stride)?;
     let name = format!("{scene} on {} in {}, {mode}", chip.name, chip.number.name());
     Ok(gather(name, &counts, &symbols, stride))
