@@ -1,5 +1,5 @@
-//! Firmware: a Raspberry Pi Pico (RP2040) draws models of many triangles, out of flash, on an ST7789
-//! panel.
+//! Firmware: a Raspberry Pi Pico (RP2040) draws models of many triangles and balls, out of flash, on an
+//! ST7789 panel.
 //!
 //! ```text
 //! cargo run --release --example rp2040_models --target thumbv6m-none-eabi

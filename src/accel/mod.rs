@@ -21,7 +21,7 @@ pub use grid::Grid;
 pub use kd::{Kd, KdNode};
 pub use lattice::Lattice;
 pub use lists::Lists;
-pub use octree::{Octant, Octree};
+pub use octree::{Content, Octant, Octree};
 
 use crate::fault::Fault;
 use crate::math::Scalar;

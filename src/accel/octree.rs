@@ -46,14 +46,18 @@ impl Octant {
         Self(list << 1 | 1)
     }
 
-    const fn content(self) -> Content {
+    /// Answers what it holds.
+    pub const fn content(self) -> Content {
         if self.0 & 1 == 1 { Content::List(self.0 >> 1) } else { Content::Branch(self.0 >> 1) }
     }
 }
 
 /// Is what an octant holds.
-enum Content {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Eight octants: the number of the branch.
     Branch(u16),
+    /// Things: the number of their list.
     List(u16),
 }
 

@@ -97,7 +97,7 @@ fn an_rp2040_shows_models_of_many_triangles_out_of_2_mb_of_flash_and_8_kb_of_ram
     let [flash, ram] = table::memory(&run);
     assert!(flash <= 2 << 20, "{flash} bytes of flash");
     assert!(ram <= 8 << 10, "{ram} bytes of RAM, the stack included");
-    table::add(&run, "teapot and knot, 240x240", "instructions");
+    table::add(&run, "teapot, knot and balls2, 240x240", "instructions");
 }
 
 /// Answers the first two pictures of a turning board, which are the host's.

@@ -1,11 +1,6 @@
-//! What is chosen when the firmware is built: scene, number and mode.
+//! What is chosen when the firmware is built: number and mode.
 
-use scanray::{Adaptive, AtEdges, Exact, Jittered, Uniform, gallery::View, render::Quality};
-
-#[cfg(not(target_abi = "eabihf"))]
-use scanray::gallery::fixed as number;
-#[cfg(target_abi = "eabihf")]
-use scanray::gallery::float as number;
+use scanray::{Adaptive, AtEdges, Exact, Jittered, Uniform, render::Quality};
 
 /// Is the number that suits the chip.
 #[cfg(target_abi = "eabihf")]
@@ -13,12 +8,6 @@ pub type Number = f32;
 /// Is the number that suits the chip.
 #[cfg(not(target_abi = "eabihf"))]
 pub type Number = scanray::Fixed;
-
-/// Is the scene's name.
-const SCENE: &str = match option_env!("SCANRAY_SCENE") {
-    Some(scene) => scene,
-    None => "three-spheres",
-};
 
 /// Is the mode's name, as tables show it.
 pub const MODE: &str = match option_env!("SCANRAY_MODE") {
@@ -78,25 +67,13 @@ const fn place(names: &[&str], name: &str) -> usize {
     i
 }
 
-/// Is the scene with its camera and settings.
-pub static VIEW: View<Number> = find(number::VIEWS, SCENE);
-/// Counts the bounces that the scene's rays may take.
-pub const DEPTH: usize = find(number::VIEWS, SCENE).settings.depth as usize;
 /// Counts the picture's columns.
 pub const WIDTH: u32 = 320;
 /// Counts the picture's rows.
 pub const HEIGHT: u32 = 240;
 
-const fn find(views: &'static [View<Number>], name: &str) -> View<Number> {
-    let mut i = 0;
-    while !same(views[i].name.as_bytes(), name.as_bytes()) {
-        i += 1;
-        assert!(i < views.len(), "the gallery has no such scene");
-    }
-    views[i]
-}
-
-const fn same(a: &[u8], b: &[u8]) -> bool {
+/// Tells whether two names are the same.
+pub const fn same(a: &[u8], b: &[u8]) -> bool {
     let mut i = 0;
     while i < a.len() && i < b.len() && a[i] == b[i] {
         i += 1;

@@ -4,6 +4,9 @@ mod board;
 mod chosen;
 #[path = "../../boards/decimal.rs"]
 mod decimal;
+#[cfg_attr(scanray_baked, path = "baked.rs")]
+#[cfg_attr(not(scanray_baked), path = "gallery.rs")]
+mod scene;
 #[path = "../../boards/sink.rs"]
 mod sink;
 
@@ -13,8 +16,9 @@ use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use scanray::{Exact, Progress, RasterRenderer, RasterWorkspace, Renderer, RowError, Workspace};
 
 use self::{
-    chosen::{DEPTH, HEIGHT, MODE, Mode, Number, PROGRESSIVE, RASTER, VIEW, WIDTH},
+    chosen::{HEIGHT, MODE, Mode, Number, PROGRESSIVE, RASTER, WIDTH},
     decimal::Decimal,
+    scene::{DEPTH, VIEW},
     sink::Sink,
 };
 

@@ -1,4 +1,4 @@
-use super::{Bounds, Bvh, Grid, Kd, Octree};
+use super::{Bounds, Bvh, Grid, Kd, Octree, Tree};
 use crate::rounded::Rounded;
 use scanray::accel::{Every, Hierarchy};
 
@@ -61,15 +61,37 @@ pub enum Built {
 }
 
 impl Built {
-    /// Answers the hierarchy in a number; it lives as long as the program.
-    pub fn leak<S: Rounded>(&self) -> &'static dyn Hierarchy<S> {
+    /// Answers the order in which things are best listed for it; `None` if it takes them as they are.
+    pub fn order(&self) -> Option<&[u16]> {
         match self {
-            Self::Bvh(bvh) => Box::leak(Box::new(bvh.leak::<S>())),
-            Self::Kd(kd) => Box::leak(Box::new(kd.leak::<S>())),
-            Self::Octree(octree) => Box::leak(Box::new(octree.leak::<S>())),
-            Self::Grid(grid) => Box::leak(Box::new(grid.leak::<S>())),
-            Self::None(count) => Box::leak(Box::new(Every(*count))),
+            Self::Bvh(bvh) => Some(&bvh.order),
+            Self::Kd(_) | Self::Octree(_) | Self::Grid(_) | Self::None(_) => None,
         }
+    }
+
+    /// Answers the hierarchy in a number, over things in their own order; its lists live as long as the
+    /// program.
+    pub fn tree<S: Rounded>(&self) -> Tree<S> {
+        match self {
+            Self::Bvh(bvh) => Tree::Bvh(bvh.leak()),
+            Self::Kd(kd) => Tree::Kd(kd.leak()),
+            Self::Octree(octree) => Tree::Octree(octree.leak()),
+            Self::Grid(grid) => Tree::Grid(grid.leak()),
+            Self::None(count) => Tree::None(Every(*count)),
+        }
+    }
+
+    /// Answers the hierarchy in a number, over things that are listed in [`Self::order`].
+    pub fn tree_in_order<S: Rounded>(&self) -> Tree<S> {
+        match self {
+            Self::Bvh(bvh) => Tree::Bvh(bvh.leak_in_order()),
+            other => other.tree(),
+        }
+    }
+
+    /// Answers the hierarchy in a number, as the core asks for it; it lives as long as the program.
+    pub fn leak<S: Rounded>(&self) -> &'static dyn Hierarchy<S> {
+        self.tree().leak()
     }
 
     /// Counts the bytes that it takes in flash; of a tree of boxes, those of one whose things are listed in

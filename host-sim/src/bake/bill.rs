@@ -26,10 +26,16 @@ pub struct Bill {
     pub lights: usize,
     /// Texels.
     pub images: usize,
+    /// Values of voxels, with the extremes of their blocks.
+    pub voxels: usize,
+    /// The grids of voxels, the volume and its classes.
+    pub volumes: usize,
     /// How many triangles there are in meshes.
     pub triangle_count: usize,
     /// How many corners there are in meshes.
     pub corner_count: usize,
+    /// How many voxels there are.
+    pub voxel_count: usize,
 }
 
 impl Bill {
@@ -46,6 +52,8 @@ impl Bill {
             ("materials", self.materials),
             ("lights", self.lights),
             ("images", self.images),
+            ("voxels", self.voxels),
+            ("volumes", self.volumes),
         ];
         items.into_iter().filter(|(_, bytes)| *bytes > 0)
     }

@@ -70,8 +70,13 @@ impl Bvh {
 
     /// Answers the tree in a number, for things in their own order; the lists live as long as the program.
     pub fn leak<S: Rounded>(&self) -> accel::Bvh<S> {
-        let items: &'static [u16] = self.order.clone().leak();
-        accel::Bvh { items, ..self.leak_in_order() }
+        let in_order = self.leak_in_order();
+        // Things that already lie in the order of the leaves need no list.
+        if self.order.is_sorted() {
+            in_order
+        } else {
+            accel::Bvh { items: self.order.clone().leak(), ..in_order }
+        }
     }
 
     /// Answers the tree in a number, for things that are listed in [`Self::order`].

@@ -74,11 +74,14 @@ pub fn write<S: Literal>(
     if let Some(most) = most.filter(|most| bill.total() > *most) {
         return Err(Failure::TooLarge { bytes: bill.total(), most });
     }
-    let objects = format!("{} objects", planted.view.scene.objects.len());
-    let counts = match bill.triangle_count {
-        0 => objects,
-        count => format!("{objects}, {count} triangles of {} corners in meshes", bill.corner_count),
-    };
+    let mut counts = format!("{} objects", planted.view.scene.objects.len());
+    if bill.triangle_count > 0 {
+        let (triangles, corners) = (bill.triangle_count, bill.corner_count);
+        let _ = write!(counts, ", {triangles} triangles of {corners} corners in meshes");
+    }
+    if bill.voxel_count > 0 {
+        let _ = write!(counts, ", {} voxels", bill.voxel_count);
+    }
     let facts = [vec![("number", S::WORD.to_owned()), ("holds", counts)], facts].concat();
     let mut text = head(planted.view.name, file, &facts);
     let _ = write!(text, "{}{PREAMBLE}{items}", table(&bill));

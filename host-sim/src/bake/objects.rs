@@ -1,16 +1,17 @@
 //! Hierarchies over the objects of a scene.
 
 use super::source::{Literal, Planted};
-use super::{Bounds, Choice};
+use super::{Accel, Bounds};
 use scanray::gallery::View;
 use scanray::{Intersect, Object};
 
-/// Puts a hierarchy over the objects of a scene that have an end; those that have none come behind them in
-/// the list, each kind in its order, so that the picture is the same but where an object of one kind
-/// coincides with one of the other.
+/// Puts a hierarchy over the objects of a scene that have an end, if these are two or more; those that have
+/// none come behind them in the list, each kind in its order, so that the picture is the same but where an
+/// object of one kind coincides with one of the other.
 ///
 /// `exact` is the same scene in `f64`. The list stays in memory as long as the program runs.
-pub fn plant<S: Literal>(view: &View<S>, exact: &View<f64>, accel: Choice) -> Planted<S> {
+pub fn plant<S: Literal>(planted: Planted<S>, exact: &View<f64>, accel: Accel) -> Planted<S> {
+    let Planted { mut view, grown, .. } = planted;
     let bounds = exact.scene.objects.iter().map(bounds);
     let (mut bounded, mut endless, mut boxes) = (vec![], vec![], vec![]);
     for (object, bounds) in view.scene.objects.iter().zip(bounds) {
@@ -22,12 +23,14 @@ pub fn plant<S: Literal>(view: &View<S>, exact: &View<f64>, accel: Choice) -> Pl
             None => endless.push(*object),
         }
     }
-    let tree = accel.build_in_place::<S>(&boxes);
+    if bounded.len() < 2 {
+        return Planted { view, grown, tree: None };
+    }
+    let tree = accel.build(&boxes).tree::<S>();
     bounded.append(&mut endless);
-    let mut view = *view;
     view.scene.objects = bounded.leak();
-    view.scene.hierarchy = Some(tree.hierarchy());
-    Planted { view, grown: vec![], tree: Some(tree) }
+    view.scene.hierarchy = Some(tree.leak());
+    Planted { view, grown, tree: Some(tree) }
 }
 
 /// Answers the box around an object; `None` for one without end.

@@ -1,3 +1,4 @@
+use crate::bake::source::Unwritable;
 use crate::shot::Refusal;
 use std::fmt;
 use std::path::PathBuf;
@@ -18,6 +19,8 @@ pub enum Failure {
     File(PathBuf, String),
     /// The host cannot draw the picture.
     Picture(Refusal),
+    /// There is no source for something in a scene.
+    Unwritable(Unwritable),
 }
 
 impl fmt::Display for Failure {
@@ -33,6 +36,7 @@ impl fmt::Display for Failure {
             }
             Self::File(path, what) => write!(f, "{}: {what}", path.display()),
             Self::Picture(refusal) => write!(f, "the picture cannot be drawn: {refusal}."),
+            Self::Unwritable(unwritable) => unwritable.fmt(f),
         }
     }
 }
@@ -51,5 +55,11 @@ impl std::error::Error for Failure {}
 impl From<Refusal> for Failure {
     fn from(refusal: Refusal) -> Self {
         Self::Picture(refusal)
+    }
+}
+
+impl From<Unwritable> for Failure {
+    fn from(unwritable: Unwritable) -> Self {
+        Self::Unwritable(unwritable)
     }
 }

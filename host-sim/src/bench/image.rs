@@ -1,8 +1,12 @@
 use super::needs::features;
 use super::{Chip, Failure};
+use crate::bake::source::Source;
 use crate::scenes;
 use object::{Object, ObjectSection, SectionFlags, SectionKind, elf};
+use scanray::Scene;
 use serde::Deserialize;
+use std::ffi::OsStr;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::{NamedTempFile, TempPath};
@@ -40,20 +44,38 @@ struct Built {
 }
 
 impl Image {
-    /// Builds the image of a scene for a chip, in a mode, with those features of the core that the scene
-    /// needs.
+    /// Builds the image of a scene of the gallery for a chip, in a mode, with those features of the core that
+    /// the scene needs.
     pub fn build(chip: &Chip, scene: &str, mode: &str) -> Result<Self, Failure> {
         let features = scenes::find(scene).map_or(String::new(), |entry| features(&entry.double.scene));
+        Self::link(
+            chip,
+            &features,
+            FLAGS,
+            &[("SCANRAY_SCENE", scene.as_ref()), ("SCANRAY_MODE", mode.as_ref())],
+        )
+    }
+
+    /// Builds the image of a scene that is baked for a chip, to be drawn exactly; `scene` tells the features
+    /// of the core that it needs.
+    pub fn build_baked(chip: &Chip, source: &Source, scene: &Scene<'_, f64>) -> Result<Self, Failure> {
+        let failure = |error: std::io::Error| Failure::File("the baked scene".into(), error.to_string());
+        let mut file = tempfile::Builder::new().suffix(".rs").tempfile().map_err(failure)?;
+        file.write_all(source.items.as_bytes()).map_err(failure)?;
+        let flags = format!("{FLAGS} --cfg scanray_baked");
+        Self::link(chip, &features(scene), &flags, &[("SCANRAY_BAKED", file.path().as_os_str())])
+    }
+
+    fn link(chip: &Chip, features: &str, flags: &str, variables: &[(&str, &OsStr)]) -> Result<Self, Failure> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
             .args(["--example", "measure", "--target", chip.target])
-            .args(["--no-default-features", "--features", &features])
+            .args(["--no-default-features", "--features", features])
             .current_dir(project())
-            .env("RUSTFLAGS", FLAGS)
+            .env("RUSTFLAGS", flags)
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
-            .env("SCANRAY_SCENE", scene)
-            .env("SCANRAY_MODE", mode)
+            .envs(variables.iter().copied())
             .output()
             .map_err(|error| Failure::Start("cargo", error))?;
         let messages = String::from_utf8_lossy(&output.stdout);

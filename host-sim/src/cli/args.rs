@@ -279,7 +279,7 @@ fn judged(text: &str) -> Result<Number, String> {
     number.ok_or_else(|| "the numbers judged by the reference are f32, fixed and exact".to_owned())
 }
 
-fn chip(text: &str) -> Result<&'static Chip, String> {
+pub(super) fn chip(text: &str) -> Result<&'static Chip, String> {
     let names = CHIPS.each_ref().map(|chip| chip.name);
     Chip::find(text).ok_or_else(|| format!("the chips are {}", names.join(", ")))
 }

@@ -3,7 +3,7 @@ use super::look::scene;
 use super::{Error, report};
 use crate::bake::file::{self, Failure, File};
 use crate::bake::source::{Literal, Planted};
-use crate::bake::{Choice, objects};
+use crate::bake::{Accel, meshes, objects};
 use crate::model::{Options, Plan};
 use crate::obj;
 use crate::picture::MAX_DEPTH;
@@ -51,12 +51,14 @@ fn bake<S: Literal>(args: &BakeArgs) -> Result<File, Error> {
 }
 
 /// Makes a scene of the gallery or of a file ready to be written.
-fn planted_entry<S: Literal>(entry: &Entry, accel: Option<Choice>) -> Result<Planted<S>, Error> {
+fn planted_entry<S: Literal>(entry: &Entry, accel: Option<Accel>) -> Result<Planted<S>, Error> {
     let view = *S::view(entry);
     check(&view).map_err(|error| Error::refused(entry, Refusal::Core(error)))?;
+    let grown = meshes::grow(&view, entry.double, accel.unwrap_or_default());
+    let planted = Planted { view, grown, tree: None };
     Ok(match accel {
-        Some(Choice::None) | None => Planted { view, grown: vec![], tree: None },
-        Some(accel) => objects::plant(&view, entry.double, accel),
+        Some(Accel::None) | None => planted,
+        Some(accel) => objects::plant(planted, entry.double, accel),
     })
 }
 

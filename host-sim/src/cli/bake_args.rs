@@ -1,4 +1,4 @@
-use crate::bake::Choice;
+use crate::bake::Accel;
 use crate::model::Options;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -19,9 +19,9 @@ pub(super) struct BakeArgs {
     /// Number the program computes in
     #[arg(long, value_enum, default_value = "f32")]
     pub number: BakedNumber,
-    /// Hierarchy over the triangles of a model [default: bvh], or over the objects of a scene [default: none]
+    /// Hierarchy over the triangles of meshes [default: bvh] and over the objects of a scene [default: none]
     #[arg(long, value_enum)]
-    pub accel: Option<Choice>,
+    pub accel: Option<Accel>,
     /// Refuse more data than these bytes, such as 2M or 256K
     #[arg(long, value_name = "BYTES", value_parser = bytes)]
     pub flash: Option<usize>,

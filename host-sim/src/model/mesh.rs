@@ -3,18 +3,19 @@
 use super::piece::{Packing, Piece};
 use crate::bake::octahedron::fold;
 use crate::bake::source::{Grown, Literal};
-use crate::bake::{Bounds, Choice};
+use crate::bake::{Accel, Bounds};
 use crate::scene_file::value::point;
 use scanray::aabb::Aabb;
 use scanray::{Corners, Mesh, Normals};
 
 /// Makes the mesh of a piece in a number, its triangles in the order that the hierarchy wants; it stays in
 /// memory as long as the program runs.
-pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Choice) -> Grown<S> {
+pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Accel) -> Grown<S> {
     let boxes: Vec<Bounds> =
         piece.triangles.iter().map(|triangle| Bounds::around(piece.corners(*triangle, packing))).collect();
-    let built = accel.build::<S>(&boxes);
-    let triangles: &'static [[u16; 3]] = match &built.order {
+    let built = accel.build(&boxes);
+    let tree = built.tree_in_order();
+    let triangles: &'static [[u16; 3]] = match built.order() {
         Some(order) => {
             order.iter().map(|place| piece.triangles[usize::from(*place)]).collect::<Vec<_>>().leak()
         }
@@ -22,10 +23,10 @@ pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Choice) -> Grow
     };
     let (corners, normals) = lists(piece, packing);
     let texture: Vec<[S; 2]> = piece.texture.iter().map(|texture| texture.map(S::round)).collect();
-    let mesh = Mesh::new(triangles, corners, normals, built.tree.hierarchy())
+    let mesh = Mesh::new(triangles, corners, normals, tree.leak())
         .with_texture(texture.leak())
         .with_bounds(hull(&Bounds::of(boxes)));
-    Grown { mesh: Box::leak(Box::new(mesh)), tree: built.tree }
+    Grown { mesh: Box::leak(Box::new(mesh)), tree }
 }
 
 fn lists<S: Literal>(piece: &Piece, packing: &Packing) -> (Corners<S>, Normals<S>) {

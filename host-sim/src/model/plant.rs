@@ -6,7 +6,7 @@ use super::smooth::smooth;
 use super::{Model, mesh, view};
 use crate::bake::source::{Literal, Planted};
 use crate::bake::steps::Steps;
-use crate::bake::{Bounds, Choice};
+use crate::bake::{Accel, Bounds};
 use crate::scene_file::value::point;
 use crate::scenes::Entry;
 use scanray::gallery::View;
@@ -22,7 +22,7 @@ pub struct Options {
     /// Whether it stands on a floor.
     pub floor: bool,
     /// The hierarchy over its triangles.
-    pub accel: Choice,
+    pub accel: Accel,
 }
 
 /// Is a model cut into meshes, ready for each number.

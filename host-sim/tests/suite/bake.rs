@@ -3,12 +3,15 @@
 use crate::desk::{Desk, assert_refused, read, stdout};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use host_sim::bake::source::Planted;
+use host_sim::bake::{Accel, meshes};
+use scanray::gallery::{self, Gallery};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Lists what is baked: the name of a module, the scene, the number and other options.
-const BAKED: [[&str; 3]; 9] = [
+const BAKED: [[&str; 3]; 20] = [
     ["vase_f32", "vase.obj", "f32"],
     ["vase_fixed", "vase.obj", "fixed"],
     ["temple_f32", "temple.ron", "f32"],
@@ -18,6 +21,19 @@ const BAKED: [[&str; 3]; 9] = [
     ["environment_f32", "environment.ron", "f32"],
     ["still_life_f32", "still-life", "f32"],
     ["smooth_fixed", "smooth", "fixed"],
+    // Every kind of hierarchy, over triangles and over objects.
+    ["vase_kd", "vase.obj", "fixed --accel kd"],
+    ["vase_octree", "vase.obj", "fixed --accel octree"],
+    ["vase_grid", "vase.obj", "fixed --accel grid"],
+    ["vase_none", "vase.obj", "fixed --accel none"],
+    ["temple_kd", "temple.ron", "fixed --accel kd"],
+    ["temple_octree", "temple.ron", "fixed --accel octree"],
+    ["temple_grid", "temple.ron", "f32 --accel grid"],
+    // Meshes and voxels of the gallery.
+    ["teapot_fixed", "teapot", "fixed"],
+    ["teapot_grid", "teapot", "f32 --accel grid"],
+    ["phantom_fixed", "phantom", "fixed"],
+    ["isosurface_f32", "isosurface", "f32"],
 ];
 
 fn project() -> &'static Path {
@@ -153,11 +169,51 @@ fn what_is_baked_is_told_with_its_bytes_and_they_add_up() {
 }
 
 #[test]
+fn a_volume_is_told_with_its_voxels_and_their_bytes() {
+    let desk = Desk::new("bake-volume");
+    let told = stdout(&desk.run("bake phantom"));
+    // A value for each of 48 x 60 x 56, and two for each of 12 x 15 x 14 blocks.
+    for word in ["3 objects, 161280 voxels", "voxels 166320", "volumes"] {
+        assert!(told.contains(word), "no {word:?} in {told}");
+    }
+}
+
+#[test]
+fn what_several_objects_share_is_written_once() {
+    for (view, words) in [
+        (gallery::float::TEAPOT, ["static MESH_", "static TRIANGLES_"]),
+        (gallery::float::ISOSURFACE, ["static GRID_", "const VOXELS_"]),
+    ] {
+        let (mut twice, mut exact) = (view, *f64::find(view.name).unwrap());
+        twice.scene.objects = vec![view.scene.objects[0]; 2].leak();
+        exact.scene.objects = vec![exact.scene.objects[0]; 2].leak();
+        let grown = meshes::grow(&twice, &exact, Accel::Bvh);
+        let source = Planted { view: twice, grown, tree: None }.write().unwrap();
+        for word in words {
+            assert_eq!(source.items.matches(word).count(), 1, "{word}");
+        }
+    }
+}
+
+#[test]
+fn the_firmwares_scene_is_what_its_file_is_baked_to() {
+    let desk = Desk::new("bake-firmware");
+    fs::copy(project().join("scenes/nff/balls2.nff"), desk.0.join("balls2.nff")).unwrap();
+    let output = desk.run("bake balls2.nff --number fixed --accel bvh -o -");
+    let kept = fs::read_to_string(project().join("examples/boards/balls2.rs")).unwrap();
+    assert!(
+        stdout(&output) == kept,
+        "examples/boards/balls2.rs is another scene; its list says how to bake it"
+    );
+}
+
+#[test]
 fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let desk = Desk::new("bake-refused");
     crate::model_files::write(&desk.0);
     let before = desk.files();
     assert_refused(&desk, "bake vase.obj --flash 4K", &["bytes", "more than the 4096"]);
+    assert_refused(&desk, "bake phantom --flash 128K", &["bytes", "more than the 131072"]);
     assert_refused(&desk, "bake vase.obj --flash much", &["2M"]);
     assert_refused(&desk, "bake none.obj", &["none.obj"]);
     assert_refused(&desk, "bake simple --exact", &["--exact", "OBJ"]);

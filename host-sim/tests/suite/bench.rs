@@ -1,6 +1,7 @@
 //! Speed and size are exact, so that what was measured before is a test.
 
-use host_sim::bench::{Choice, Snapshot, measure};
+use host_sim::bake::Accel;
+use host_sim::bench::{Chip, Choice, Snapshot, cost, measure};
 use std::process::Command;
 
 /// Measures a sample: `cargo sim bench` measures all.
@@ -20,6 +21,19 @@ fn figures_are_kept_of_every_scene_on_every_chip_in_every_mode_and_of_nothing_el
 
 fn kept() -> Snapshot {
     Snapshot::read().unwrap_or_else(|failure| panic!("{failure}"))
+}
+
+#[test]
+#[ignore = "needs the firmware's targets and qemu-system-arm (run by .ci/run)"]
+fn with_each_kind_of_hierarchy_a_chip_draws_the_hosts_picture_in_a_fraction_of_the_work() {
+    let chip = Chip::find("m3").expect("a chip");
+    // A picture that is not the host's is a failure.
+    let [bvh, kd, octree, grid, none] =
+        Accel::ALL.map(|accel| cost(chip, accel).unwrap_or_else(|failure| panic!("{failure}")));
+    for tree in [bvh, kd, octree, grid] {
+        assert!(10.0 * tree.instr_per_px < none.instr_per_px, "{tree:?}, and {none:?}");
+        assert!(bvh.bytes_each <= tree.bytes_each, "{tree:?} is smaller than a tree of boxes");
+    }
 }
 
 #[test]

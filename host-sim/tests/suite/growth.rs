@@ -103,5 +103,7 @@ fn the_command_prints_every_kind_and_draws_a_diagram() {
 fn a_kind_that_there_is_not_is_refused() {
     let desk = Desk::new("hierarchies-refused");
     assert_refused(&desk, "hierarchies --kind bsp", &["bsp", "octree"]);
+    assert_refused(&desk, "hierarchies --chip m7", &["m7", "m4f, m3, m0+"]);
+    assert_refused(&desk, "hierarchies --chip m3 --most 10", &["--most", "cannot be used"]);
     assert_refused(&desk, "hierarchies --most 1 -o no/such/place.png", &["no/such/place.png"]);
 }

@@ -1,6 +1,6 @@
 //! Hierarchies leave out nothing: meshes with them are those without, to the bit.
 
-use host_sim::bake::{Accel, Bounds};
+use host_sim::bake::{Accel, Bounds, Bvh};
 use host_sim::growth::{Crowd, Thing};
 use host_sim::rounded::Rounded;
 use proptest::prelude::*;
@@ -117,6 +117,17 @@ fn as_many_things_as_a_number_can_name_are_held_by_every_kind() {
         let hierarchy = accel.build(&bounds).leak::<f32>();
         assert_eq!((hierarchy.count(), hierarchy.check()), (65_535, Ok(())), "{accel:?}");
     }
+}
+
+#[test]
+fn a_tree_of_boxes_over_things_in_its_own_order_is_the_same_without_a_list() {
+    let balls = Crowd::Balls.sizes().into_iter().find(|balls| balls.len() > 1000).unwrap();
+    let bounds: Vec<Bounds> = balls.iter().map(Thing::bounds).collect();
+    let first = Bvh::build(&bounds);
+    let ordered: Vec<Bounds> = first.order.iter().map(|ball| bounds[usize::from(*ball)]).collect();
+    let second = Bvh::build(&ordered);
+    assert_eq!(second.nodes, first.nodes);
+    assert!(!first.leak::<f32>().items.is_empty() && second.leak::<f32>().items.is_empty());
 }
 
 #[test]

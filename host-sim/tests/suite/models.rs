@@ -1,6 +1,6 @@
 //! Models of OBJ files: what is read of them, what is refused, and with which line.
 
-use host_sim::bake::Choice;
+use host_sim::bake::Accel;
 use host_sim::model::{Model, Options, Plan};
 use host_sim::obj::{self, Mistake, Reason};
 use proptest::prelude::*;
@@ -162,7 +162,7 @@ fn options() -> impl Strategy<Value = Options> {
             smooth,
             exact,
             floor,
-            accel: if tree { Choice::Bvh } else { Choice::None },
+            accel: if tree { Accel::Bvh } else { Accel::None },
         },
     )
 }

@@ -1,5 +1,5 @@
 use super::literal::Literal;
-use super::tree::Written;
+use crate::bake::Tree;
 use scanray::Mesh;
 
 /// Is a mesh with the hierarchy that it borrows, which says itself how it is written.
@@ -8,5 +8,5 @@ pub struct Grown<S: Literal> {
     /// The mesh.
     pub mesh: &'static Mesh<S>,
     /// Its hierarchy.
-    pub tree: &'static dyn Written<S>,
+    pub tree: Tree<S>,
 }

@@ -3,6 +3,7 @@
 use super::grown::Grown;
 use super::layout::Layout;
 use super::literal::Literal;
+use super::tree;
 use crate::bake::Bill;
 use scanray::{Corners, Mesh, Normals};
 
@@ -51,7 +52,7 @@ pub(super) fn write<S: Literal>(place: usize, grown: &Grown<S>, layout: &mut Lay
         let rows = mesh.texture.iter().map(|[u, v]| format!("[{}, {}]", u.number(), v.number()));
         layout.rows(&format!("TEXTURE_{place}"), &format!("[{}; 2]", S::NAME), rows);
     }
-    grown.tree.write(&format!("TREE_{place}"), layout);
+    tree::write(&grown.tree, &format!("TREE_{place}"), layout);
 }
 
 fn corners<S: Literal>(place: usize, mesh: &Mesh<S>) -> String {

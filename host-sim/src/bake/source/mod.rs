@@ -14,14 +14,14 @@ mod shape;
 mod surroundings;
 mod tree;
 mod unwritable;
+mod volume;
 
 pub use grown::Grown;
 pub use layout::Layout;
 pub use literal::Literal;
-pub use tree::Written;
 pub use unwritable::Unwritable;
 
-use super::Bill;
+use super::{Bill, Tree};
 use pool::Pool;
 use scanray::Object;
 use scanray::gallery::View;
@@ -43,7 +43,7 @@ pub struct Planted<S: Literal> {
     /// Its meshes.
     pub grown: Vec<Grown<S>>,
     /// The hierarchy over its objects, if it has one.
-    pub tree: Option<&'static dyn Written<S>>,
+    pub tree: Option<Tree<S>>,
 }
 
 impl<S: Literal> Planted<S> {
@@ -56,9 +56,12 @@ impl<S: Literal> Planted<S> {
         let (mut layout, mut bill) = (Layout::default(), Bill::default());
         self.write_view(&mut pool, &mut layout)?;
         self.write_lists(&mut pool, &mut layout, &mut bill)?;
-        if let Some(tree) = self.tree {
+        if let Some(tree) = &self.tree {
             bill.hierarchies += tree.bytes();
-            tree.write("TREE", &mut layout);
+            tree::write(tree, "TREE", &mut layout);
+        }
+        if let Some(volume) = self.view.scene.volume {
+            volume::write(volume, &mut pool, &mut layout, &mut bill);
         }
         pool.write(&mut layout, &mut bill);
         Ok(Source { items: layout.text, bill })
@@ -67,16 +70,14 @@ impl<S: Literal> Planted<S> {
     /// Writes what a program names: the scene, its camera and settings.
     fn write_view(&self, pool: &mut Pool<'_, S>, layout: &mut Layout) -> Result<(), Unwritable> {
         let View { scene, camera, settings, size, .. } = &self.view;
-        if scene.volume.is_some() {
-            return Err(Unwritable::Volume);
-        }
         let (name, ambient) = (S::NAME, S::color(scene.ambient));
         let mut faces = Layout::default();
         let sky = surroundings::sky(&scene.sky, pool, &mut faces).ok_or(Unwritable::Sky)?;
         let tree = if self.tree.is_some() { "\n    .with_hierarchy(&TREE)" } else { "" };
+        let volume = if scene.volume.is_some() { "\n    .with_volume(&VOLUME)" } else { "" };
         let item = format!(
             "pub static SCENE: Scene<'static, {name}> = Scene::new(&OBJECTS, &MATERIALS, &LIGHTS)\n    \
-             .with_ambient({ambient})\n    .with_sky({sky}){tree}"
+             .with_ambient({ambient})\n    .with_sky({sky}){tree}{volume}"
         );
         layout.item("Is what there is to see.", &item);
         let camera = surroundings::camera(camera).ok_or(Unwritable::Camera)?;

@@ -5,8 +5,10 @@ use super::layout::Layout;
 use super::literal::Literal;
 use super::mesh;
 use super::picture::{self, Kind};
+use super::volume;
 use crate::bake::Bill;
-use scanray::{Bitmap, Mesh, Vec3, Vertex};
+use scanray::{Bitmap, Grid, Mesh, Vec3, Vertex, Voxels};
+use std::ptr;
 
 /// Holds what has been borrowed so far.
 #[derive(Debug)]
@@ -17,12 +19,16 @@ pub(super) struct Pool<'a, S: Literal> {
     outlines: Vec<&'static [Vec3<S>]>,
     facets: Vec<&'static [Vertex<S>; 3]>,
     meshes: Vec<Grown<S>>,
+    /// Grids with their expressions.
+    grids: Vec<(&'static Grid<S>, String)>,
+    voxels: Vec<Voxels>,
 }
 
 impl<'a, S: Literal> Pool<'a, S> {
     /// Makes an empty one.
     pub fn new(grown: &'a [Grown<S>]) -> Self {
-        Self { grown, images: vec![], outlines: vec![], facets: vec![], meshes: vec![] }
+        let (images, outlines, facets) = (vec![], vec![], vec![]);
+        Self { grown, images, outlines, facets, meshes: vec![], grids: vec![], voxels: vec![] }
     }
 
     /// Answers the expression that borrows an image.
@@ -49,8 +55,36 @@ impl<'a, S: Literal> Pool<'a, S> {
 
     /// Answers the expression that borrows a mesh; `None` for one whose hierarchy is not known.
     pub fn mesh(&mut self, mesh: &'static Mesh<S>) -> Option<String> {
-        self.meshes.push(*self.grown.iter().find(|grown| std::ptr::eq(grown.mesh, mesh))?);
-        Some(format!("&MESH_{}", self.meshes.len() - 1))
+        let is_it = |grown: &&Grown<S>| ptr::eq(grown.mesh, mesh);
+        let place = match self.meshes.iter().position(|grown| is_it(&grown)) {
+            Some(place) => place,
+            None => {
+                self.meshes.push(*self.grown.iter().find(is_it)?);
+                self.meshes.len() - 1
+            }
+        };
+        Some(format!("&MESH_{place}"))
+    }
+
+    /// Answers the expression that borrows a grid of voxels.
+    pub fn grid(&mut self, grid: &'static Grid<S>) -> String {
+        let known = self.grids.iter().position(|(known, _)| ptr::eq(*known, grid));
+        let place = known.unwrap_or_else(|| {
+            let text = volume::grid(grid, self);
+            self.grids.push((grid, text));
+            self.grids.len() - 1
+        });
+        format!("&GRID_{place}")
+    }
+
+    /// Answers the expression for voxels.
+    pub fn voxels(&mut self, voxels: Voxels) -> String {
+        let known = self.voxels.iter().position(|known| *known == voxels);
+        let place = known.unwrap_or_else(|| {
+            self.voxels.push(voxels);
+            self.voxels.len() - 1
+        });
+        format!("VOXELS_{place}")
     }
 
     /// Writes all that has been borrowed, and puts its bytes on the bill.
@@ -67,6 +101,13 @@ impl<'a, S: Literal> Pool<'a, S> {
         }
         for (place, grown) in self.meshes.iter().enumerate() {
             mesh::write(place, grown, layout, bill);
+        }
+        for (place, (grid, text)) in self.grids.iter().enumerate() {
+            bill.volumes += size_of_val(*grid);
+            layout.item("", &format!("static GRID_{place}: Grid<{}> = {text}", S::NAME));
+        }
+        for (place, voxels) in self.voxels.iter().enumerate() {
+            volume::write_voxels(place, voxels, layout, bill);
         }
         let kinds: Vec<Kind> = self.images.iter().map(Kind::of).collect();
         for (place, (bitmap, kind)) in self.images.iter().zip(&kinds).enumerate() {

@@ -3,7 +3,8 @@
 use super::literal::Literal;
 use super::material::image;
 use super::pool::Pool;
-use scanray::{FillRule, Shape, Sphere};
+use super::volume::gradient;
+use scanray::{FillRule, Isosurface, Shape, Sphere};
 
 /// Writes a shape; `None` for one that there is no source for.
 pub(super) fn shape<S: Literal>(shape: &Shape<S>, pool: &mut Pool<'_, S>) -> Option<String> {
@@ -39,8 +40,15 @@ pub(super) fn shape<S: Literal>(shape: &Shape<S>, pool: &mut Pool<'_, S>) -> Opt
             format!("Displaced(Displaced::new({ball}, {relief}, {height}))")
         }
         Shape::Mesh(mesh) => format!("Mesh({})", pool.mesh(mesh)?),
-        // Voxels have no source yet.
-        Shape::Isosurface(_) => return None,
+        Shape::Isosurface(s) => {
+            let usual = Isosurface::new(s.grid, s.level);
+            let set = if s.gradient == usual.gradient {
+                String::new()
+            } else {
+                format!(".with_gradient({})", gradient(s.gradient))
+            };
+            format!("Isosurface(Isosurface::new({}, {}){set})", pool.grid(s.grid), s.level.number())
+        }
         Shape::Custom(none) => match *none {},
     };
     Some(format!("Shape::{text}"))

@@ -12,8 +12,6 @@ pub enum Unwritable {
     Light(usize),
     /// The sky.
     Sky,
-    /// The volume.
-    Volume,
     /// The camera.
     Camera,
     /// The settings.
@@ -27,7 +25,6 @@ impl fmt::Display for Unwritable {
             Self::Material(index) => write!(f, "material {index}"),
             Self::Light(index) => write!(f, "light {index}"),
             Self::Sky => f.write_str("the sky"),
-            Self::Volume => f.write_str("the volume"),
             Self::Camera => f.write_str("the camera"),
             Self::Settings => f.write_str("the settings"),
         }?;
