@@ -5,7 +5,6 @@ use super::placement::Placement;
 use super::ready::{Ready, Unusable};
 use super::value::Point;
 use crate::bake::Accel as Built;
-use crate::bake::octahedron::unfold;
 use crate::bake::steps::Steps;
 use crate::model::piece::Packing;
 use crate::rounded::Rounded;
@@ -168,10 +167,18 @@ fn corners<S: Rounded + Debug>(mesh: &scanray::Mesh<S>) -> impl Iterator<Item = 
         let normal = match mesh.normals {
             Normals::Flat => String::new(),
             Normals::Exact(normals) => format!("{:?}", normals.get(number)),
-            // Points on the square's border name the same direction two by two.
-            Normals::Octahedral(points) => format!("{:?}", points.get(number).map(|point| unfold(*point))),
+            Normals::Octahedral(points) => format!("{:?}", points.get(number).map(|point| direction(*point))),
         };
         format!("{place} {normal} {:?}", mesh.texture.get(number))
     };
     mesh.triangles.as_flattened().iter().map(at)
+}
+
+/// Answers one of the points that name the same direction: on the border of the octahedron's square those on
+/// either side of an edge's middle do.
+fn direction([u, v]: [i16; 2]) -> [i32; 2] {
+    let inner = |this: i16, other: i16| {
+        if other.unsigned_abs() == 32_767 { i32::from(this).abs() } else { i32::from(this) }
+    };
+    [inner(u, v), inner(v, u)]
 }
