@@ -23,8 +23,8 @@ pub enum Error {
     Bake(bake::Failure),
     /// A scene cannot be written as a file.
     Export(Unsayable),
-    /// A scene with images is to be written where no files can stand beside it.
-    ImagesToTerminal,
+    /// A scene with images, meshes or voxels is to be written where no files can stand beside it.
+    FilesToTerminal,
     /// The text of a scene file cannot be made.
     Text(ron::Error),
     /// A comparison names neither a scene nor all of them.
@@ -81,8 +81,8 @@ impl fmt::Display for Error {
             Self::Model(mistake) => mistake.fmt(f),
             Self::Bake(failure) => write!(f, "the scene cannot be baked: {failure}."),
             Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),
-            Self::ImagesToTerminal => f.write_str(
-                "the scene has images, which are written beside its file, and a terminal has no room for them.\n\
+            Self::FilesToTerminal => f.write_str(
+                "the scene has images, meshes or voxels: they are written beside its file, and a terminal has no room for them.\n\
                  `-o FILE.ron` names a file.",
             ),
             Self::Text(error) => write!(f, "the scene cannot be written: {error}."),

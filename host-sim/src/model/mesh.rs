@@ -4,8 +4,10 @@ use super::piece::{Packing, Piece};
 use crate::bake::octahedron::fold;
 use crate::bake::source::{Grown, Literal};
 use crate::bake::{Accel, Bounds};
+use crate::rounded::Rounded;
 use crate::scene_file::value::point;
 use scanray::aabb::Aabb;
+use scanray::accel::Hierarchy;
 use scanray::{Corners, Mesh, Normals};
 
 /// Makes the mesh of a piece in a number, its triangles in the order that the hierarchy wants; it stays in
@@ -21,15 +23,25 @@ pub fn grow<S: Literal>(piece: &Piece, packing: &Packing, accel: Accel) -> Grown
         }
         None => piece.triangles.clone().leak(),
     };
-    let (corners, normals) = lists(piece, packing);
-    let texture: Vec<[S; 2]> = piece.texture.iter().map(|texture| texture.map(S::round)).collect();
-    let mesh = Mesh::new(triangles, corners, normals, tree.leak())
-        .with_texture(texture.leak())
-        .with_bounds(hull(&Bounds::of(boxes)));
+    let mesh = assemble(piece, packing, triangles, tree.leak(), &Bounds::of(boxes));
     Grown { mesh: Box::leak(Box::new(mesh)), tree }
 }
 
-fn lists<S: Literal>(piece: &Piece, packing: &Packing) -> (Corners<S>, Normals<S>) {
+/// Makes the mesh of a piece's corners in a number, with its triangles in the order that the hierarchy knows;
+/// what it borrows stays in memory as long as the program runs.
+pub fn assemble<S: Rounded>(
+    piece: &Piece,
+    packing: &Packing,
+    triangles: &'static [[u16; 3]],
+    hierarchy: &'static dyn Hierarchy<S>,
+    bounds: &Bounds,
+) -> Mesh<S> {
+    let (corners, normals) = lists(piece, packing);
+    let texture: Vec<[S; 2]> = piece.texture.iter().map(|texture| texture.map(S::round)).collect();
+    Mesh::new(triangles, corners, normals, hierarchy).with_texture(texture.leak()).with_bounds(hull(bounds))
+}
+
+fn lists<S: Rounded>(piece: &Piece, packing: &Packing) -> (Corners<S>, Normals<S>) {
     match packing {
         Packing::Packed(grid) => {
             let steps: Vec<[u16; 3]> = piece.places.iter().map(|place| grid.steps(*place)).collect();
@@ -50,7 +62,7 @@ fn lists<S: Literal>(piece: &Piece, packing: &Packing) -> (Corners<S>, Normals<S
 
 /// Answers the box in a number, wider by what rounding may take: 8 steps of fixed point and 8 roundings of
 /// `f32`.
-fn hull<S: Literal>(bounds: &Bounds) -> Aabb<S> {
+fn hull<S: Rounded>(bounds: &Bounds) -> Aabb<S> {
     let margin = 2_f64.powi(-17) + bounds.largest() * 2_f64.powi(-20);
     let center = std::array::from_fn(|axis| bounds.middle(axis));
     Aabb { center: point(center), half: point(bounds.sides().map(|side| 0.5 * side + margin)) }

@@ -50,6 +50,7 @@ pub fn describe(
         materials,
         lights: lights(&scene.lights),
         objects,
+        volume: None,
     };
     Ok((description, found, notes.all()))
 }

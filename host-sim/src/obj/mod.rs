@@ -7,13 +7,17 @@
 //!   told with its line; all others are left out.
 //! - The crate `tobj` reads the lines that are left, and cuts polygons into triangles.
 //! - [`mod@read`]: its lists become a model. [`wrong`]: what may be wrong.
+//!
+//! [`mod@write`] goes the other way, with triangles alone.
 
 pub mod library;
 pub mod read;
 pub mod survey;
+pub mod write;
 pub mod wrong;
 
-pub use read::{parse, plan, read};
+pub use read::{parse, plan, read, surfaces};
+pub use write::write;
 pub use wrong::{Mistake, Reason};
 
 use std::path::Path;

@@ -53,6 +53,19 @@ pub fn parse(
     Ok(model(name, parts, library))
 }
 
+/// Reads the triangles of a text and leaves out what it says of materials.
+///
+/// # Errors
+/// The first mistake in it.
+pub fn surfaces(path: &Path, text: &str) -> Result<Vec<[Corner; 3]>, Mistake> {
+    let of_material = |line: &str| matches!(line.split_whitespace().next(), Some("mtllib" | "usemtl"));
+    // An empty line in the place of one left out: mistakes are told with the file's own numbers.
+    let plain = text.lines().map(|line| if of_material(line) { "" } else { line });
+    let text = plain.collect::<Vec<_>>().join("\n");
+    let model = parse(path, &text, &mut |_| Ok(String::new()))?;
+    Ok(model.parts.into_iter().flat_map(|part| part.triangles).collect())
+}
+
 /// Reads a file as text; letters that are not UTF-8 stand in names only, and become others.
 fn text(path: &Path) -> Result<String, Mistake> {
     let mut bytes = vec![];

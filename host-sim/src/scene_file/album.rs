@@ -1,60 +1,74 @@
-//! The images of a description: finds them, reads them, names them.
+//! The files of a description: finds them, reads them, names them.
 
+use super::beside::{Beside, name_each};
 use super::description::Description;
+use super::grid::Grid;
 use super::image::ImageFile;
+use super::mesh::Mesh;
+use super::mistake::Reason;
 use super::place::Part;
-use super::png_file::{self, MAX_TEXELS, Unreadable};
 use super::sky::Sky;
+use super::{mesh_file, png_file, voxel_file};
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Is an image where a description has it.
-struct Use<'a> {
-    /// The part of the file that names it.
-    part: Part,
-    /// A word for what it is for.
-    role: &'static str,
-    file: &'a mut ImageFile,
-}
-
-/// Lists the images of a description in the order of its file.
-fn uses(description: &mut Description) -> impl Iterator<Item = Use<'_>> {
+/// Lists the images of a description, each with the part of the file that names it and a word for what it is
+/// for.
+fn images(description: &mut Description) -> impl Iterator<Item = (Part, (&'static str, &mut ImageFile))> {
     let sky = description.sky.iter_mut().flat_map(Sky::images_mut).map(|image| (Part::Sky, image));
     let materials = description.materials.iter_mut().enumerate().flat_map(|(index, (_, material))| {
         material.images_mut().map(move |image| (Part::Material(index), image))
     });
     let shapes = description.objects.iter_mut().enumerate();
     let objects = shapes.filter_map(|(index, (shape, _))| Some((Part::Object(index), shape.image_mut()?)));
-    sky.chain(materials).chain(objects).map(|(part, (role, file))| Use { part, role, file })
+    sky.chain(materials).chain(objects)
 }
 
-/// Tells which image cannot be read.
+/// Lists the meshes of a description.
+fn meshes(description: &mut Description) -> impl Iterator<Item = (Part, &mut Mesh)> {
+    let shapes = description.objects.iter_mut().enumerate();
+    shapes.filter_map(|(index, (shape, _))| Some((Part::Object(index), shape.mesh_mut()?)))
+}
+
+/// Lists the grids of voxels of a description.
+fn grids(description: &mut Description) -> impl Iterator<Item = (Part, &mut Grid)> {
+    let shapes = description.objects.iter_mut().enumerate();
+    let objects = shapes.filter_map(|(index, (shape, _))| Some((Part::Object(index), shape.grid_mut()?)));
+    objects.chain(description.volume.iter_mut().map(|volume| (Part::Volume, &mut volume.grid)))
+}
+
+/// Tells which file cannot be read.
 pub(super) struct Missed {
-    /// The part of the file that names it.
+    /// The part of the scene file that names it.
     pub part: Part,
-    /// Its name there.
+    /// Its name there; empty if it is not the file that is wrong.
     pub name: String,
-    /// Where it was looked for.
-    pub path: PathBuf,
-    /// Why it cannot be read.
-    pub why: Unreadable,
+    /// What is wrong with it.
+    pub reason: Reason,
 }
 
-/// Reads the images that a description names, each file once.
+/// Reads the files that a description names, each once.
 ///
 /// # Errors
 /// The first that cannot be read.
 pub(super) fn read(description: &mut Description, folder: &Path) -> Result<(), Missed> {
+    read_images(description, folder)?;
+    read_meshes(description, folder)?;
+    read_voxels(description, folder)
+}
+
+fn read_images(description: &mut Description, folder: &Path) -> Result<(), Missed> {
     let mut read = HashMap::new();
-    let mut room = MAX_TEXELS;
-    for Use { part, file, .. } in uses(description) {
+    let mut room = png_file::MAX_TEXELS;
+    for (part, (_, file)) in images(description) {
         if let Some(bitmap) = read.get(&file.name) {
             file.bitmap = *bitmap;
             continue;
         }
         let path = folder.join(&file.name);
-        let bitmap =
-            png_file::read(&path, room).map_err(|why| Missed { part, name: file.name.clone(), path, why })?;
+        let missed =
+            |why| Missed { part, name: file.name.clone(), reason: Reason::Image { path: path.clone(), why } };
+        let bitmap = png_file::read(&path, room).map_err(missed)?;
         let [columns, rows] = bitmap.size();
         room -= columns * rows;
         read.insert(file.name.clone(), bitmap);
@@ -63,25 +77,64 @@ pub(super) fn read(description: &mut Description, folder: &Path) -> Result<(), M
     Ok(())
 }
 
-impl Description {
-    /// Names the images by a stem and what they are for, `STEM-image.png`, `STEM-image-2.png`; answers each
-    /// of them once.
-    pub fn name_images(&mut self, stem: &str) -> Vec<ImageFile> {
-        let mut named: Vec<ImageFile> = vec![];
-        let mut counts: HashMap<&str, usize> = HashMap::new();
-        for Use { role, file, .. } in uses(self) {
-            if let Some(known) = named.iter().find(|known| known.bitmap == file.bitmap) {
-                file.name.clone_from(&known.name);
-                continue;
-            }
-            let count = counts.entry(role).or_default();
-            *count += 1;
-            file.name = match *count {
-                1 => format!("{stem}-{role}.png"),
-                count => format!("{stem}-{role}-{count}.png"),
-            };
-            named.push(file.clone());
+fn read_meshes(description: &mut Description, folder: &Path) -> Result<(), Missed> {
+    let mut read = HashMap::new();
+    let (mut room, mut triangles_left) = (mesh_file::MAX_BYTES, mesh_file::MAX_TRIANGLES);
+    for (part, mesh) in meshes(description) {
+        let name = mesh.file.name.clone();
+        let path = folder.join(&name);
+        let missed =
+            |why| Missed { part, name: name.clone(), reason: Reason::Mesh { path: path.clone(), why } };
+        mesh.file.triangles = match read.get(&name) {
+            Some(known) => *known,
+            None => mesh_file::read(&path, &mut room).map_err(missed)?,
+        };
+        read.insert(name.clone(), mesh.file.triangles);
+        let left = triangles_left.checked_sub(mesh.file.triangles.len());
+        triangles_left = left.ok_or(mesh_file::Unreadable::TooMany).map_err(missed)?;
+        let unusable = |why| Missed { part, name: String::new(), reason: Reason::Unusable(why) };
+        mesh.prepare().map_err(unusable)?;
+    }
+    Ok(())
+}
+
+fn read_voxels(description: &mut Description, folder: &Path) -> Result<(), Missed> {
+    let mut read = HashMap::new();
+    let mut room = voxel_file::MAX_VOXELS;
+    for (part, Grid { file, size, .. }) in grids(description) {
+        let key = (file.name.clone(), *size);
+        if let Some(voxels) = read.get(&key) {
+            file.voxels = *voxels;
+            continue;
         }
-        named
+        let path = folder.join(&file.name);
+        let missed = |why| Missed {
+            part,
+            name: file.name.clone(),
+            reason: Reason::Voxels { path: path.clone(), why },
+        };
+        let voxels = voxel_file::read(&path, *size, room).map_err(missed)?;
+        room -= voxel_file::count(*size);
+        read.insert(key, voxels);
+        file.voxels = voxels;
+    }
+    Ok(())
+}
+
+impl Description {
+    /// Names the files beside the scene's by a stem and what they are for, `STEM-image.png`, `STEM-mesh.obj`,
+    /// `STEM-mesh-2.obj`; answers each of them once.
+    pub fn name_files(&mut self, stem: &str) -> Vec<Beside> {
+        let pictures = images(self).map(|(_, image)| image);
+        let pictures = name_each(pictures, [stem, "png"], |file| &mut file.name, |a, b| a.bitmap == b.bitmap);
+        let bodies = meshes(self).map(|(_, mesh)| ("mesh", &mut mesh.file));
+        let bodies = name_each(bodies, [stem, "obj"], |file| &mut file.name, |a, b| a.is_same(b));
+        let fields = grids(self).map(|(_, grid)| ("voxels", &mut grid.file));
+        let fields = name_each(fields, [stem, "raw"], |file| &mut file.name, |a, b| a.voxels == b.voxels);
+        let pictures = pictures.into_iter().map(Beside::Image);
+        pictures
+            .chain(bodies.into_iter().map(Beside::Mesh))
+            .chain(fields.into_iter().map(Beside::Voxels))
+            .collect()
     }
 }

@@ -7,6 +7,7 @@ use super::settings::Settings;
 use super::shape::Shape;
 use super::sky::Sky;
 use super::value::Color;
+use super::volume::Volume;
 use crate::picture::MAX_DEPTH;
 use crate::rounded::Rounded;
 use embedded_graphics_core::geometry::Size;
@@ -36,6 +37,8 @@ pub struct Description {
     pub lights: Vec<Light>,
     /// Shapes with the places of their materials.
     pub objects: Vec<(Shape, u16)>,
+    /// A body that light comes through; none if not given.
+    pub volume: Option<Volume>,
 }
 
 /// Holds the lists of a scene in a number, for the scene to borrow.
@@ -44,6 +47,7 @@ pub struct Lists<S: 'static> {
     objects: Vec<Object<S>>,
     materials: Vec<scanray::Material<S>>,
     lights: Vec<scanray::Light<S>>,
+    volume: Option<scanray::Volume<S>>,
 }
 
 impl Description {
@@ -53,6 +57,7 @@ impl Description {
             objects: self.objects.iter().map(|(shape, of)| Object::new(shape.in_number(), *of)).collect(),
             materials: self.materials.iter().map(|(_, material)| material.in_number()).collect(),
             lights: self.lights.iter().map(Light::in_number).collect(),
+            volume: self.volume.as_ref().map(Volume::in_number),
         }
     }
 
@@ -61,6 +66,7 @@ impl Description {
         let mut scene = Scene::new(&lists.objects, &lists.materials, &lists.lights);
         scene.sky = self.sky.as_ref().map_or(scene.sky, Sky::in_number);
         scene.ambient = self.ambient.map_or(scene.ambient, Color::in_number);
+        scene.volume = lists.volume.as_ref();
         scene
     }
 

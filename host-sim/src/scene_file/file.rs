@@ -62,7 +62,7 @@ impl SceneFile {
         Self::parse(path, bytes).map_err(Failure::Wrong)
     }
 
-    /// Reads the bytes of a file, and the images that it names.
+    /// Reads the bytes of a file, and the files that it names.
     ///
     /// # Errors
     /// The first mistake in them: what keeps the core from drawing it in `f64` among others, but not what is
@@ -121,11 +121,11 @@ impl SceneFile {
     }
 }
 
-/// Shows where a file names an image that cannot be read.
+/// Shows where a file names another one that cannot be read.
 fn mistake(missed: Missed, text: &str, places: &Places) -> Mistake {
-    let Missed { part, name, path, why } = missed;
+    let Missed { part, name, reason } = missed;
     let place = places.get(&part).map(|part| Text(text).place_of_name(part.clone(), &name));
-    Mistake { reason: Reason::Image { path, why }, place }
+    Mistake { reason, place }
 }
 
 /// Makes text of bytes. That of NFF is ASCII but for comments, which are in whatever letters their authors had.

@@ -4,13 +4,15 @@ use super::camera::Camera;
 use super::description::Description;
 use super::light::Light;
 use super::material::Material;
+use super::mesh::are_alike;
 use super::names::names;
 use super::settings::Settings;
 use super::shape::Shape;
 use super::sky::Sky;
 use super::value::{Color, unless};
-use scanray::Scene;
+use super::volume::Volume;
 use scanray::gallery::View;
+use scanray::{Scene, Shape as CoreShape};
 use std::fmt;
 
 /// Names the thing of a view that scene files have no words for.
@@ -56,15 +58,12 @@ fn say<W, C: PartialEq>(words: Option<W>, back: impl Fn(&W) -> C, core: &C) -> O
     words.filter(|words| back(words) == *core)
 }
 
-/// Describes a view of the core; its images are named by the view's name.
+/// Describes a view of the core; its files are named by the view's name.
 ///
 /// # Errors
 /// The first thing that a scene file would not bring back as it is.
 pub fn describe(view: &View<f64>) -> Result<Description, Unsayable> {
     let scene = &view.scene;
-    if scene.volume.is_some() {
-        return Err(Unsayable::Volume);
-    }
     let unlit = Scene::<f64>::new(&[], &[], &[]);
     let camera = say(Camera::of(&view.camera), Camera::in_number, &view.camera);
     let settings = say(Some(Settings::of(&view.settings)), Settings::in_number, &view.settings);
@@ -82,11 +81,26 @@ pub fn describe(view: &View<f64>) -> Result<Description, Unsayable> {
         materials: names(&materials).into_iter().zip(materials).collect(),
         lights: each(scene.lights, Unsayable::Light, |light| say(Light::of(light), Light::in_number, light))?,
         objects: each(scene.objects, Unsayable::Object, |object| {
-            Some((say(Shape::of(&object.shape), Shape::in_number, &object.shape)?, object.material))
+            Some((say_shape(&object.shape)?, object.material))
         })?,
+        volume: match scene.volume {
+            Some(volume) => {
+                let words = say(Some(Volume::of(volume)), Volume::in_number, volume);
+                Some(words.ok_or(Unsayable::Volume)?)
+            }
+            None => None,
+        },
     };
-    description.name_images(view.name);
+    description.name_files(view.name);
     Ok(description)
+}
+
+/// Answers the words for a shape, as [`say`] does: a mesh is another one each time it is made.
+fn say_shape(shape: &CoreShape<f64>) -> Option<Shape> {
+    Shape::of(shape).filter(|words| match (words.in_number(), shape) {
+        (CoreShape::Mesh(back), CoreShape::Mesh(core)) => are_alike(back, core),
+        (back, core) => back == *core,
+    })
 }
 
 /// Finds words for everything in a list, or names the first thing that there are none for.

@@ -1,6 +1,7 @@
 //! What can be wrong with a scene file, where, and what was meant.
 
-use super::png_file::Unreadable;
+use super::ready::Unusable;
+use super::{mesh_file, png_file, voxel_file};
 use crate::nff::Wrong;
 use crate::suggest::nearest;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
@@ -48,8 +49,24 @@ pub enum Reason {
         /// Where it was looked for.
         path: PathBuf,
         /// Why it cannot be read.
-        why: Unreadable,
+        why: png_file::Unreadable,
     },
+    /// A mesh cannot be read.
+    Mesh {
+        /// Where it was looked for.
+        path: PathBuf,
+        /// Why it cannot be read.
+        why: mesh_file::Unreadable,
+    },
+    /// Voxels cannot be read.
+    Voxels {
+        /// Where they were looked for.
+        path: PathBuf,
+        /// Why they cannot be read.
+        why: voxel_file::Unreadable,
+    },
+    /// The fields of a mesh make none of its triangles.
+    Unusable(Unusable),
     /// It is not as the Neutral File Format has it.
     Nff(Wrong),
     /// The core cannot draw it.
@@ -68,6 +85,9 @@ impl fmt::Display for Reason {
             Self::TooMany(most) => write!(f, "there are more than {most} of them"),
             Self::Size(most) => write!(f, "a picture has 1 to {most} pixels along each side"),
             Self::Image { path, why } => write!(f, "cannot read the image {}: {why}", path.display()),
+            Self::Mesh { path, why } => write!(f, "cannot read the mesh {}: {why}", path.display()),
+            Self::Voxels { path, why } => write!(f, "cannot read the voxels {}: {why}", path.display()),
+            Self::Unusable(why) => why.fmt(f),
             Self::Nff(wrong) => wrong.fmt(f),
             Self::Refused(error) => error.fmt(f),
         }

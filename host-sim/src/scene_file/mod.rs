@@ -6,32 +6,43 @@
 //!
 //! - [`value`], [`shape`], [`texture`], [`material`], [`light`], [`sky`], [`camera`], [`settings`]: the words
 //!   of the format, each with its way to the core and back. A new word is added there and in the manual.
-//! - [`image`], [`bump`]: images in these words; [`png_file`]: their texels; `album`: all that a description has.
+//! - [`image`], [`bump`]: images in these words; [`png_file`]: their texels.
+//! - [`mesh`]: meshes, [`mesh_file`]: their triangles, `placement`: where they stand, [`ready`]: what is drawn of
+//!   them. [`mod@grid`], [`volume`]: fields of voxels; [`voxel_file`]: their values.
+//! - [`mod@beside`]: files that lie beside a scene's; `album`: all that a description names.
 //! - [`description`]: a whole scene in these words; [`from_core`]: of a view; [`names`]: of its materials.
 //! - [`mod@read`] and [`mod@write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.
 //! - [`mod@file`]: a file as a scene that commands take.
 
 mod album;
+pub mod beside;
 pub mod bump;
 pub mod camera;
 pub mod description;
 pub mod file;
 pub mod from_core;
 pub mod glass;
+pub mod grid;
 pub mod image;
 pub mod light;
 pub mod material;
+pub mod mesh;
+pub mod mesh_file;
 pub mod mistake;
 pub mod names;
 mod outline;
 pub mod place;
+mod placement;
 pub mod png_file;
 pub mod read;
+pub mod ready;
 pub mod settings;
 pub mod shape;
 pub mod sky;
 pub mod texture;
 pub mod value;
+pub mod volume;
+pub mod voxel_file;
 pub mod write;
 
 pub use description::Description;

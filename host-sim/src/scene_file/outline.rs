@@ -30,6 +30,7 @@ pub(super) struct Outline<'a> {
     pub lights: Vec<&'a RawValue>,
     #[serde(default)]
     pub objects: Vec<&'a RawValue>,
+    pub volume: Option<&'a RawValue>,
 }
 
 /// Is a map with its order kept.

@@ -23,6 +23,8 @@ pub enum Part {
     Light(usize),
     /// An object, by its place in the list.
     Object(usize),
+    /// The volume.
+    Volume,
 }
 
 impl Part {
@@ -32,6 +34,7 @@ impl Part {
             RenderError::Scene(SceneError::Object(index, _)) => Self::Object(*index),
             RenderError::Scene(SceneError::Material(index, _)) => Self::Material(*index),
             RenderError::Scene(SceneError::Light(index, _)) => Self::Light(*index),
+            RenderError::Scene(SceneError::Volume(_)) => Self::Volume,
             RenderError::Scene(SceneError::Sky(_)) => Self::Sky,
             RenderError::Scene(SceneError::Ambient(_)) => Self::Ambient,
             RenderError::Camera(CameraError::BadSize) => Self::Size,

@@ -44,6 +44,7 @@ pub fn parse(text: &str) -> Result<(Description, Places), Mistake> {
         ambient: reader.optional(Part::Ambient, outline.ambient)?,
         lights: reader.list(Part::Light, &outline.lights)?,
         objects: reader.objects(&outline.objects, &names)?,
+        volume: reader.optional(Part::Volume, outline.volume)?,
         materials,
     };
     Ok((description, reader.places))

@@ -2,7 +2,9 @@
 //!
 //! To add one: a variant, and an arm in each of the two functions; the compiler asks for the arms.
 
+use super::grid::{Grid, Isosurface};
 use super::image::{Image, ImageFile};
+use super::mesh::Mesh;
 use super::value::{Point, point, unless};
 use crate::rounded::Rounded;
 use scanray::{Cone, Cuboid, Displaced, Plane, Polygon, SmoothTriangle, Sphere, Triangle};
@@ -85,6 +87,10 @@ pub enum Shape {
         /// How far the highest points are moved, at least 0.
         height: f64,
     },
+    /// Triangles of a file that share their corners.
+    Mesh(Mesh),
+    /// The surface in a sampled field.
+    Isosurface(Isosurface),
 }
 
 /// Names what of a self-crossing outline is inside.
@@ -166,12 +172,24 @@ impl Shape {
                 let ball = Sphere::new(point(center), S::round(radius));
                 scanray::Shape::Displaced(Displaced::new(ball, relief.in_number(), S::round(height)))
             }
+            Self::Mesh(ref mesh) => scanray::Shape::Mesh(mesh.in_number()),
+            Self::Isosurface(ref surface) => scanray::Shape::Isosurface(surface.in_number()),
         }
     }
 
     /// Answers its image, if it has one, with a word for what it is for.
     pub fn image_mut(&mut self) -> Option<(&'static str, &mut ImageFile)> {
         if let Self::Displaced { relief, .. } = self { Some(("relief", &mut relief.file)) } else { None }
+    }
+
+    /// Answers it, if it is a mesh.
+    pub fn mesh_mut(&mut self) -> Option<&mut Mesh> {
+        if let Self::Mesh(mesh) = self { Some(mesh) } else { None }
+    }
+
+    /// Answers its grid of voxels, if it has one.
+    pub fn grid_mut(&mut self) -> Option<&mut Grid> {
+        if let Self::Isosurface(surface) = self { Some(&mut surface.grid) } else { None }
     }
 
     /// Takes a shape of the core; `None` for one that scene files do not know.
@@ -207,8 +225,8 @@ impl Shape {
                 relief: Image::of(&s.relief),
                 height: s.height,
             },
-            // Files hold neither meshes nor voxels.
-            scanray::Shape::Mesh(_) | scanray::Shape::Isosurface(_) => return None,
+            scanray::Shape::Mesh(mesh) => Self::Mesh(Mesh::of(mesh)?),
+            scanray::Shape::Isosurface(surface) => Self::Isosurface(Isosurface::of(surface)),
             scanray::Shape::Custom(none) => match *none {},
         })
     }

@@ -21,7 +21,8 @@ struct Object<'a> {
 /// # Errors
 /// None that a description which was read, or made of a view, could cause.
 pub fn write(description: &Description) -> ron::Result<String> {
-    let Description { about, size, camera, settings, sky, ambient, materials, lights, objects } = description;
+    let Description { about, size, camera, settings, sky, ambient, materials, lights, objects, volume } =
+        description;
     let mut file = Layout { text: HEAD.to_owned() };
     file.part("about", &line(about)?)?;
     file.part("size", &line(size)?)?;
@@ -42,6 +43,10 @@ pub fn write(description: &Description) -> ron::Result<String> {
     let name = |index: &u16| materials.get(usize::from(*index)).map_or("", |(name, _)| name);
     let objects = objects.iter().map(|(shape, index)| line(&Object { shape, material: name(index) }));
     file.list("What there is to see.", ["objects: [", "]"], objects)?;
+    if let Some(volume) = volume {
+        file.text.push_str("\n    // What it is seen through.\n");
+        file.part("volume", &block(volume)?)?;
+    }
     Ok(file.text + ")\n")
 }
 

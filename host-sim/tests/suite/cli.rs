@@ -106,7 +106,7 @@ fn images_are_written_beside_a_scene_and_found_from_any_directory() {
     let [gallery, file] = ["bump.png", "mine.png"].map(|name| read(&elsewhere.0.join(name)));
     assert!(gallery == file);
 
-    let says = ["the scene has images", "-o FILE.ron"];
+    let says = ["the scene has images, meshes or voxels", "-o FILE.ron"];
     assert_refused(&desk, "export bump -o -", &says);
     assert_refused(&desk, "export mine.ron -o -", &says);
     std::fs::remove_file(desk.0.join("mine-normals.png")).unwrap();

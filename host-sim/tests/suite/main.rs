@@ -30,6 +30,7 @@ mod reference_door;
 mod reference_known;
 mod reference_random;
 mod reference_recipe;
+mod scene_file_bodies;
 mod scene_file_images;
 mod scene_file_manual;
 mod scene_file_mistakes;

@@ -29,7 +29,7 @@ fn every_example_is_a_scene_that_can_be_drawn() {
     let examples = blocks("ron");
     assert!(examples.len() >= 10, "only {} examples were found", examples.len());
     for example in examples {
-        // The images of the examples lie beside the scenes.
+        // The images, meshes and voxels of the examples lie beside the scenes.
         let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/manual.ron");
         let file = SceneFile::parse(&beside, whole(&example).into_bytes());
         let file = file.unwrap_or_else(|complaint| panic!("{complaint}\nin {example}"));
@@ -92,6 +92,14 @@ fn every_word_of_the_format_is_in_the_manual() {
         "materials: { \"a\": (bump: Heights(image: (unknown: 1))) }",
         "materials: { \"a\": (glass: (unknown: 1)) }",
         "materials: { \"a\": (glass: (fresnel: Unknown)) }",
+        "objects: [(shape: Mesh(accel: Unknown))]",
+        "objects: [(shape: Mesh(corners: Unknown))]",
+        "objects: [(shape: Mesh(corners: Steps(unknown: 1)))]",
+        "objects: [(shape: Isosurface(grid: (unknown: 1)))]",
+        "objects: [(shape: Isosurface(gradient: Unknown))]",
+        "volume: (unknown: 1)",
+        "volume: (classes: [(unknown: 1)])",
+        "volume: (reconstruction: Unknown)",
     ];
     let enums = [
         "camera: (projection: ?)",

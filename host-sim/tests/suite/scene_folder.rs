@@ -1,15 +1,15 @@
-//! Scenes of the gallery as files, their images beside them.
+//! Scenes of the gallery as files, their images, meshes and voxels beside them.
 
-use host_sim::scene_file::{describe, png_file, write};
+use host_sim::scene_file::{describe, write};
 use host_sim::scenes::Entry;
 use std::path::Path;
 
-/// Writes the images of a scene into a folder, under a stem; answers the text of its file.
+/// Writes the files of a scene into a folder, under a stem; answers the text of its file.
 pub fn export(entry: &Entry, folder: &Path, stem: &str) -> String {
     let mut description =
         describe(entry.double).unwrap_or_else(|unsayable| panic!("{}: {unsayable}", entry.name()));
-    for image in description.name_images(stem) {
-        png_file::write(&folder.join(image.name), &image.bitmap).unwrap();
+    for file in description.name_files(stem) {
+        file.write(&folder.join(file.name())).unwrap();
     }
     write(&description).expect("what was described can be written")
 }
