@@ -87,7 +87,8 @@ fn caption(rows: &[Row]) -> String {
         };
         let _ = writeln!(
             text,
-            "Cycles are instructions times the cycles of one on rp2040js, an emulated RP2040 without flash waits, counted {of}."
+            "Cycles are instructions times the cycles of one on rp2040js, an emulated RP2040 without flash\n\
+             waits, counted {of}."
         );
     }
     for (scene, name) in peers_of(rows) {
