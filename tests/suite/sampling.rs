@@ -1,6 +1,6 @@
 //! Pictures of which a pixel takes several rays.
 
-use crate::support::film;
+use crate::support::{film, film_rows};
 use embedded_graphics::geometry::Size;
 use scanray::gallery::{Gallery, View};
 use scanray::render::Quality;
@@ -176,22 +176,14 @@ fn error<S: Scalar>(a: &[Rgb<S>], b: &[Rgb<S>]) -> f64 {
     squares.sum::<f64>() / (3 * a.len()) as f64
 }
 
-/// Traces every other row of a picture of 160 x 120 pixels: its rows know nothing of each other, and sixty are
-/// enough for a mean.
+/// Traces every other row of a picture of 160 x 120 pixels: rows know nothing of each other, and sixty make a mean.
 fn every_other_row<S: Scalar>(
     view: &View<S>,
     quality: impl Quality,
     observer: &mut impl Observer,
 ) -> Vec<Rgb<S>> {
-    let mut workspace = Workspace::<S, [u8; 2], 0, 5>::new();
-    let (size, settings) = (Size::new(160, 120), view.settings.with_quality(quality));
-    let mut renderer =
-        Renderer::new(&view.scene, &view.camera, size, settings, &mut workspace).expect("a good view");
-    let mut light = vec![];
-    for y in (0..120).step_by(2) {
-        renderer.trace_row(y, 0..160, observer, |_, color| light.push(color)).expect("a row of it");
-    }
-    light
+    let settings = view.settings.with_quality(quality);
+    film_rows(&view.scene, &view.camera, [160, 120], (0..120).step_by(2), settings, observer)
 }
 
 /// Compares every scene, sampled at edges and everywhere, with 8 x 8 samples.

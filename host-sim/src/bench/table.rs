@@ -81,13 +81,14 @@ fn caption(rows: &[Row]) -> String {
     let strides = rows.iter().filter(|row| row.cycles_per_px.is_some()).map(|row| row.stride);
     if let Some((least, most)) = strides.clone().min().zip(strides.max()) {
         let of = match (least, most) {
-            (1, 1) => "of whole frames".to_owned(),
-            (a, b) if a == b => format!("of one row in {a}"),
-            (a, b) => format!("of one row in {a} to {b}"),
+            (1, 1) => "in whole frames".to_owned(),
+            (a, b) if a == b => format!("in one row of {a}"),
+            (a, b) => format!("in one row of {a} to {b}"),
         };
         let _ = writeln!(
             text,
-            "Cycles are instructions times the cycles of one on rp2040js, an emulated RP2040 without flash waits, {of}."
+            "Cycles are instructions times the cycles of one on rp2040js, an emulated RP2040 without flash\n\
+             waits, counted {of}."
         );
     }
     for (scene, name) in peers_of(rows) {

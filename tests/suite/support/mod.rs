@@ -18,7 +18,19 @@ use scanray::{
 pub fn film<S: Scalar, X: Intersect<S>, Q: Quality>(
     scene: &Scene<'_, S, X>,
     camera: &Camera<S>,
+    size: [u32; 2],
+    settings: Settings<S, Q>,
+    observer: &mut impl Observer,
+) -> Vec<Rgb<S>> {
+    film_rows(scene, camera, size, 0..size[1], settings, observer)
+}
+
+/// Traces the light of some rows of a picture.
+pub fn film_rows<S: Scalar, X: Intersect<S>, Q: Quality>(
+    scene: &Scene<'_, S, X>,
+    camera: &Camera<S>,
     [columns, rows]: [u32; 2],
+    which: impl Iterator<Item = u32>,
     settings: Settings<S, Q>,
     observer: &mut impl Observer,
 ) -> Vec<Rgb<S>> {
@@ -27,7 +39,7 @@ pub fn film<S: Scalar, X: Intersect<S>, Q: Quality>(
     let mut renderer =
         Renderer::new(scene, camera, size, settings, &mut workspace).expect("a picture that can be drawn");
     let mut film = Vec::new();
-    for y in 0..rows {
+    for y in which {
         renderer.trace_row(y, 0..columns, observer, |_, light| film.push(light)).expect("a row of it");
     }
     film
