@@ -14,9 +14,9 @@ pub fn export(entry: &Entry, folder: &Path, stem: &str) -> String {
     write(&description).expect("what was described can be written")
 }
 
-/// Leaves out of a text where images are in memory.
+/// Leaves out of a text where images and voxels are in memory.
 pub fn anywhere(text: &str) -> String {
-    let mut pieces = text.split(" at 0x");
+    let mut pieces = text.split(" 0x");
     let first = pieces.next().unwrap_or_default().to_owned();
     pieces.fold(first, |text, piece| text + piece.trim_start_matches(|c: char| c.is_ascii_hexdigit()))
 }
