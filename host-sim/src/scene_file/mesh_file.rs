@@ -97,8 +97,8 @@ impl fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
-/// Reads the triangles of a file of at most so many bytes, which are counted down; they stay in memory as long
-/// as the program runs.
+/// Reads the triangles of a file of at most so many bytes, which are counted down; they stay in memory as
+/// long as the program runs.
 ///
 /// # Errors
 /// What is wrong with it; nothing is read of a file that is too large.

@@ -7,8 +7,8 @@
 //! - [`value`], [`shape`], [`texture`], [`material`], [`light`], [`sky`], [`camera`], [`settings`]: the words
 //!   of the format, each with its way to the core and back. A new word is added there and in the manual.
 //! - [`image`], [`bump`]: images in these words; [`png_file`]: their texels.
-//! - [`mesh`]: meshes, [`mesh_file`]: their triangles, `placement`: where they stand, [`ready`]: what is drawn of
-//!   them. [`mod@grid`], [`volume`]: fields of voxels; [`voxel_file`]: their values.
+//! - [`mesh`]: meshes, [`mesh_file`]: their triangles, `placement`: where they stand, [`ready`]: what is drawn
+//!   of them. [`mod@grid`], [`volume`]: fields of voxels; [`voxel_file`]: their values.
 //! - [`mod@beside`]: files that lie beside a scene's; `album`: all that a description names.
 //! - [`description`]: a whole scene in these words; [`from_core`]: of a view; [`names`]: of its materials.
 //! - [`mod@read`] and [`mod@write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.

@@ -65,8 +65,8 @@ impl fmt::Display for Unusable {
             Self::TooMany => write!(f, "a mesh has at most {MOST} triangles and {MOST} corners"),
             Self::TooManyForCells => write!(
                 f,
-                "`kd`, `octree` and `grid` take at most {MOST_IN_CELLS} triangles that do not lie all over each \
-                 other; `bvh` takes any"
+                "`kd`, `octree` and `grid` take at most {MOST_IN_CELLS} triangles that do not lie all over \
+                 each other; `bvh` takes any"
             ),
             Self::Scale => f.write_str("`scale` is above 0 and at most 1e12"),
             Self::TooLarge => f.write_str("`at` and `turn` are numbers from -1e12 to 1e12"),

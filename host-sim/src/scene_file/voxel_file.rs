@@ -75,8 +75,8 @@ impl fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
-/// Reads a grid of at most so many voxels, and works out its blocks; it stays in memory as long as the program
-/// runs.
+/// Reads a grid of at most so many voxels, and works out its blocks; it stays in memory as long as the
+/// program runs.
 ///
 /// # Errors
 /// What is wrong with it; nothing is read of a file whose length is not the right one.
