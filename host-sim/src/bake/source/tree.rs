@@ -5,7 +5,7 @@ use super::literal::Literal;
 use scanray::accel::{Bvh, BvhNode, Every, Hierarchy};
 
 /// Is a hierarchy that says itself how it is written.
-pub trait Written<S: Literal>: Hierarchy<S> {
+pub trait Written<S: Literal>: Hierarchy<S> + std::fmt::Debug {
     /// Answers the hierarchy as the core asks for it.
     fn hierarchy(&'static self) -> &'static dyn Hierarchy<S>;
 
