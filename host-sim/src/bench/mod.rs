@@ -17,6 +17,10 @@ mod snapshot;
 mod table;
 mod truth;
 
+pub(crate) use emulator::{QEMU, listen};
+pub(crate) use image::{Image, cargo, project};
+pub(crate) use profile::{Symbols, plain};
+
 pub use chip::{CHIPS, Chip};
 pub use failure::Failure;
 pub use profile::{Profile, profile, report};
@@ -26,7 +30,6 @@ pub use table::table;
 
 use crate::scenes::{self, Entry};
 use emulator::Said;
-use image::Image;
 use truth::Truth;
 
 /// Is the size of the pictures, that of the peers' published figures.
