@@ -1,8 +1,11 @@
 //! What is drawn for proof, on a chip and on the host alike: a scene of the gallery in every way the core has.
 
 use core::cell::Cell;
-use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, IntoStorage, Rgb565, Rgb666, Rgb888};
+use core::convert::Infallible;
+use embedded_graphics::pixelcolor::raw::ToBytes;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
 use scanray::accel::{Grid, Hierarchy, Kd, KdNode, Lattice, Lists, Octant, Octree};
 use scanray::gallery::View;
 use scanray::output::BLUE_NOISE;
@@ -12,13 +15,11 @@ use scanray::{
     RenderError, Renderer, Scalar, Scene, Settings, Uniform, Vec3, Workspace,
 };
 
-use super::sink::Sink;
-
 /// Counts the columns of a picture.
-const WIDTH: usize = 40;
+const WIDTH: usize = 32;
 
 /// Is the size of the pictures: small, as there are hundreds of them on a chip without floating point.
-const SIZE: Size = Size::new(WIDTH as u32, 30);
+const SIZE: Size = Size::new(WIDTH as u32, 24);
 
 /// Counts the bounces that the gallery's rays may take at most.
 const DEPTH: usize = 5;
@@ -74,8 +75,7 @@ fn rows<S: Scalar, Q: Quality>(
     let mut space = Workspace::<S, Rgb565, WIDTH, DEPTH>::new();
     let settings = view.settings.with_quality(quality);
     let mut renderer = Renderer::new(&view.scene, camera, SIZE, settings, &mut space)?;
-    let mut take = |sent: &[[u8; 2]]| take(sent.as_flattened());
-    let Ok(()) = renderer.draw(&mut Sink::new(SIZE, &mut take));
+    let Ok(()) = renderer.draw(&mut Wire(take));
     Ok(())
 }
 
@@ -85,9 +85,7 @@ fn refined<S: Scalar>(view: &View<S>, take: &mut dyn FnMut(&[u8])) -> Result<(),
     let mut space = Workspace::<S, Rgb565, WIDTH, DEPTH>::new();
     let mut renderer = Renderer::new(&view.scene, &view.camera, SIZE, view.settings, &mut space)?;
     let mut progress = Progress::new(16);
-    let mut take = |sent: &[[u8; 2]]| take(sent.as_flattened());
-    let mut sink = Sink::new(SIZE, &mut take);
-    while let Ok(true) = renderer.refine(&mut progress, &mut sink) {}
+    while let Ok(true) = renderer.refine(&mut progress, &mut Wire(take)) {}
     Ok(())
 }
 
@@ -161,9 +159,37 @@ fn striped<S: Scalar, P: Encode>(
 fn raster<S: Scalar>(view: &View<S>, take: &mut dyn FnMut(&[u8])) -> Result<(), RenderError> {
     let mut space = RasterWorkspace::<S, WIDTH>::new();
     let mut renderer = RasterRenderer::new(&view.scene, &view.camera, SIZE, view.settings, &mut space)?;
-    let mut take = |sent: &[[u8; 2]]| take(sent.as_flattened());
-    let Ok(()) = renderer.draw(&mut Sink::new(SIZE, &mut take));
+    let Ok(()) = renderer.draw(&mut Wire(take));
     Ok(())
+}
+
+/// Is a panel that is only the end of a bus: it hands on the bytes that it is sent and keeps none, so that all of the
+/// stack is the core's.
+struct Wire<'t>(&'t mut dyn FnMut(&[u8]));
+
+impl OriginDimensions for Wire<'_> {
+    fn size(&self) -> Size {
+        SIZE
+    }
+}
+
+impl DrawTarget for Wire<'_> {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        let colors = pixels.into_iter().map(|Pixel(_, color)| color);
+        self.fill_contiguous(&self.bounding_box(), colors)
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
+        &mut self,
+        _: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        colors.into_iter().for_each(|color| (self.0)(&color.to_be_bytes()));
+        Ok(())
+    }
 }
 
 /// Answers the 32-bit FNV-1a checksum of what is drawn.

@@ -14,6 +14,7 @@ use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
 use crate::shape::{Intersect, dispatch};
+use core::hint::black_box;
 
 /// Is a handful of rays that are traced together, and the light that comes along each.
 #[derive(Clone, Debug)]
@@ -116,7 +117,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             count = count.wrapping_add(1);
             observer.ray(RayKind::Primary);
         }
-        let lanes = lanes.get_mut(..usize::from(count)).unwrap_or_default();
+        // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
+        let lanes = black_box(lanes.get_mut(..usize::from(count)).unwrap_or_default());
         let light = light.get_mut(..usize::from(count)).unwrap_or_default();
         nearest(self.scene, candidates, self.eye, lanes);
         match self.scene.volume {

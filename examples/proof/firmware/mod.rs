@@ -9,8 +9,6 @@ mod decimal;
 mod frames;
 mod host;
 mod planted;
-#[path = "../../boards/sink.rs"]
-mod sink;
 mod stack;
 
 use core::{hint::black_box, panic::PanicInfo};

@@ -11,8 +11,6 @@ mod emulator;
 mod frames;
 mod image;
 mod panics;
-#[path = "../../../examples/boards/sink.rs"]
-mod sink;
 mod sums;
 mod table;
 
@@ -25,8 +23,8 @@ use crate::bench::Failure;
 use crate::shot::Number;
 pub use emulator::Picture;
 
-/// Is the most bytes of stack that a picture may take beside the workspace and the row.
-pub const MOST_STACK: u32 = 4096;
+/// Is the most bytes of stack that a picture may take beside the workspace; edges sampled by an M0+ take the most.
+pub const MOST_STACK: u32 = 5376;
 
 /// Lists the numbers that chips compute in.
 pub const NUMBERS: [Number; 2] = [Number::F32, Number::Fixed];
