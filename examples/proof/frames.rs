@@ -16,10 +16,10 @@ use scanray::{
 };
 
 /// Counts the columns of a picture.
-const WIDTH: usize = 32;
+const WIDTH: usize = 40;
 
 /// Is the size of the pictures: small, as there are hundreds of them on a chip without floating point.
-const SIZE: Size = Size::new(WIDTH as u32, 24);
+const SIZE: Size = Size::new(WIDTH as u32, 30);
 
 /// Counts the bounces that the gallery's rays may take at most.
 const DEPTH: usize = 5;
