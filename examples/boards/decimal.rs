@@ -11,8 +11,8 @@ impl Decimal {
     pub fn new(mut number: u32) -> Self {
         let mut digits = [b'0'; 10];
         let mut first = digits.len();
-        for (i, digit) in digits.iter_mut().enumerate().rev() {
-            *digit += (number % 10) as u8;
+        for (i, digit) in (0..10).zip(&mut digits).rev() {
+            *digit = b'0' + (number % 10) as u8;
             number /= 10;
             first = i;
             if number == 0 {

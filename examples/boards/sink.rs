@@ -45,15 +45,16 @@ impl DrawTarget for Sink<'_> {
     {
         let mut colors = colors.into_iter();
         loop {
-            let mut count = 0;
+            let mut count = 0_usize;
             for (place, color) in self.sent.iter_mut().zip(&mut colors) {
                 *place = color.to_be_bytes();
-                count += 1;
+                // At most the room.
+                count = count.wrapping_add(1);
             }
-            if count == 0 {
-                return Ok(());
+            match self.sent.get(..count) {
+                None | Some([]) => return Ok(()),
+                Some(sent) => (self.take)(sent),
             }
-            (self.take)(self.sent.split_at(count).0);
         }
     }
 }

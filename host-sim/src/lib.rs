@@ -18,6 +18,7 @@ pub mod obj;
 pub mod panel;
 pub mod picture;
 pub mod png;
+pub mod proof;
 pub mod race;
 pub mod raster;
 pub mod reference;

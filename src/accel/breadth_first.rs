@@ -28,7 +28,7 @@ impl BreadthFirst {
     /// Takes note of children; tells whether they are the next in the list.
     pub fn names(&mut self, first: u16, count: usize) -> bool {
         let next = usize::from(first) == self.named;
-        self.named += count;
+        self.named = self.named.saturating_add(count);
         next
     }
 

@@ -135,7 +135,7 @@ impl<S: Scalar> Hierarchy<S> for Bvh<S> {
 
     fn check(&self) -> Result<(), Fault> {
         let whole = self.nodes.len() <= usize::from(u16::MAX) && self.lattice.is_in_range();
-        let linked = self.nodes.iter().zip(0..).all(|(node, number)| {
+        let linked = self.nodes.iter().zip(0..u16::MAX).all(|(node, number)| {
             if node.is_leaf() { self.has_its_items(node) } else { self.has_its_children(number, node) }
         });
         if whole && linked { Ok(()) } else { Err(Fault::Hierarchy) }

@@ -102,7 +102,7 @@ impl<S: Scalar> Hierarchy<S> for Kd<S> {
 
     fn check(&self) -> Result<(), Fault> {
         let mut tree = BreadthFirst::new();
-        let linked = self.nodes.iter().enumerate().all(|(number, node)| {
+        let linked = (0..self.nodes.len()).zip(self.nodes).all(|(number, node)| {
             tree.goes_to(number)
                 && match *node {
                     KdNode::Split { axis, children, .. } => {

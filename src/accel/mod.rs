@@ -26,7 +26,7 @@ pub use octree::{Content, Octant, Octree};
 use crate::fault::Fault;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
-use core::fmt::Debug;
+use core::fmt;
 
 /// Is told the number of a thing that the ray may meet, and answers how far the ray still looks: up to the
 /// nearest crossing so far, or 0 to end the walk.
@@ -35,7 +35,7 @@ pub type Visit<'v, S> = &'v mut dyn FnMut(u16) -> S;
 /// Is what a hierarchy must be able to do.
 ///
 /// It is used as `&'static dyn Hierarchy`: an image carries the code of those kinds that its data name.
-pub trait Hierarchy<S: Scalar>: Debug + Sync {
+pub trait Hierarchy<S: Scalar>: Sync {
     /// Names all things that a ray meets inside the interval, and perhaps others and some twice.
     ///
     /// The interval's far end moves nearer as `visit` answers.
@@ -50,4 +50,11 @@ pub trait Hierarchy<S: Scalar>: Debug + Sync {
     /// # Errors
     /// [`Fault::Hierarchy`].
     fn check(&self) -> Result<(), Fault>;
+}
+
+/// As a supertrait it would put what formats every number into each image with a hierarchy, used or not.
+impl<S> fmt::Debug for dyn Hierarchy<S> + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Hierarchy")
+    }
 }

@@ -147,7 +147,7 @@ impl<S: Scalar> Hierarchy<S> for Octree<S> {
 
     fn check(&self) -> Result<(), Fault> {
         let mut tree = BreadthFirst::new();
-        let linked = self.branches.iter().enumerate().all(|(number, octants)| {
+        let linked = (0..self.branches.len()).zip(self.branches).all(|(number, octants)| {
             tree.goes_to(number)
                 && usize::from(tree.depth) < LEVELS
                 && octants.iter().all(|octant| match octant.content() {

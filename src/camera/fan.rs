@@ -49,7 +49,7 @@ impl<S: Scalar> Fan<S> {
             (slope.abs() < S::FAR).then(|| S::floor(share.mul_wide(S::ONE).scale(self.count, 1)))
         };
         let (left, right) = if self.extent > S::ZERO { (low, high) } else { (high, low) };
-        let pixel = |x: i32| x.clamp(0, self.count) as u16;
+        let pixel = |x: i32| x.min(self.count).max(0) as u16;
         let first = edge(left).map_or(0, |x| x.saturating_sub(1));
         let end = edge(right).map_or(self.count, |x| x.saturating_add(2));
         pixel(first)..pixel(end)

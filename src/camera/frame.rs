@@ -179,7 +179,11 @@ impl<S: Scalar> Frame<S> {
     /// numerator and denominator.
     pub(super) fn line_start(&self, y: u32, [above, height]: [u8; 2]) -> WideVec3<S> {
         let [above, height] = [above, height].map(i32::from);
-        self.corner + self.down.scale(height * index(y) + above, height * self.size[1])
+        self.corner
+            + self.down.scale(
+                height.saturating_mul(index(y)).saturating_add(above),
+                height.saturating_mul(self.size[1]),
+            )
     }
 
     pub(super) fn step(&self) -> WideVec3<S> {
@@ -188,6 +192,6 @@ impl<S: Scalar> Frame<S> {
 
     /// Answers what the middle of column `x` adds to the start of a row.
     pub(super) fn column(&self, x: i32) -> WideVec3<S> {
-        self.right.scale(x.saturating_mul(2).saturating_add(1), 2 * self.size[0])
+        self.right.scale(x.saturating_mul(2).saturating_add(1), self.size[0].wrapping_mul(2))
     }
 }

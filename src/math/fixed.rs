@@ -195,7 +195,8 @@ impl Scalar for Fixed {
         }
         // A fraction of 2^32, so that squaring again and again loses nothing of the 20 places.
         let fraction = (self.bits().max(0) as u32) << (32 - FRACTION_BITS);
-        let rounded = (power(fraction, exponent) + (1 << (31 - FRACTION_BITS))) >> (32 - FRACTION_BITS);
+        let rounded =
+            power(fraction, exponent).wrapping_add(1 << (31 - FRACTION_BITS)) >> (32 - FRACTION_BITS);
         Self::of(rounded as i32)
     }
 
@@ -218,7 +219,7 @@ impl Scalar for Fixed {
             shares
         };
         let series = SHARES.iter().rev().fold(Self::ONE, |sum, share| Self::ONE - rest * sum * *share);
-        Self::of(((series.bits() << 1 >> halvings) + 1) >> 1)
+        Self::of((series.bits() << 1).wrapping_shr(halvings as u32).wrapping_add(1) >> 1)
     }
 
     #[inline(never)]

@@ -1,14 +1,13 @@
 //! `f32`: for chips with a floating-point unit.
 //!
-//! The square root starts from micromath's seed (3.4 % off) and takes three Newton steps, which
+//! The square root starts from a line through the bits (C. Lomont 2003; 3.4 % off) and takes three Newton steps, which
 //! leaves 3e-7. Only `+ - * /` and casts are used, so the bits are the same on every chip.
-
-use micromath::F32Ext;
 
 /// Answers 1/sqrt(x) within 3e-7 relative, for normal positive x.
 fn rsqrt(x: f32) -> f32 {
     let half = 0.5 * x;
-    let mut y = x.invsqrt();
+    // The difference wraps for what is not positive.
+    let mut y = f32::from_bits(0x5f37_5a86_u32.wrapping_sub(x.to_bits() >> 1));
     for _ in 0..3 {
         y = y * (1.5 - half * y * y);
     }

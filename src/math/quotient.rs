@@ -50,7 +50,7 @@ pub(super) fn reciprocal(d: u32) -> u32 {
 #[inline(always)]
 fn shift_down(n: u32, places: u32) -> u32 {
     match places {
-        0..32 => (n + ((1 << places) >> 1)) >> places,
+        0..32 => n.wrapping_add((1 << places) >> 1) >> places,
         u32::MAX => n.saturating_add(n),
         0x8000_0000.. => u32::MAX,
         _ => 0,

@@ -60,7 +60,7 @@ pub(super) fn sqrt(v: u64) -> i32 {
     let (m, even) = (m >> (up & 1), up & !1);
     // sqrt(v) = root / 2^31 * 2^32 / 2^(even / 2).
     let Some(down) = (even / 2).checked_sub(1) else { return i32::MAX };
-    let rounded = (root(m).root + ((1 << down) >> 1)) >> down;
+    let rounded = root(m).root.wrapping_add(1_u32.wrapping_shl(down) >> 1).wrapping_shr(down);
     rounded.min(i32::MAX as u32) as i32
 }
 

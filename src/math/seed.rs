@@ -15,5 +15,5 @@ pub(super) fn seed<const N: usize>(table: &[u32; N], m: u32) -> u16 {
     let entry = table[(m >> 25) as usize % N];
     let share = (m << 7) >> 16;
     let fall = ((entry & 0x7fff) * share) >> 20;
-    (((entry >> 15) - fall) >> 1) as u16
+    ((entry >> 15).wrapping_sub(fall) >> 1) as u16
 }

@@ -84,7 +84,7 @@ pub(super) fn narrow(wide: i64) -> i32 {
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 pub(super) fn determinant([a, b]: [i32; 2], [c, d]: [i32; 2]) -> i32 {
     // Two products of 2^62 at most, of which only the positive one is that large: no sum can wrap.
-    let difference = signed(a, d) - signed(b, c);
+    let difference = signed(a, d).wrapping_sub(signed(b, c));
     fit(difference.wrapping_add(HALF), || saturated(upper(difference)))
 }
 

@@ -15,17 +15,18 @@ pub(super) fn unit([x, y, z]: [i32; 3]) -> Option<([i32; 3], i32)> {
     // Lift the largest component to 2^30 or more, so that short vectors keep their digits. -2^n needs a bit less
     // than 2^n.
     let size = |c: i32| (c ^ (c >> 31)) as u32;
-    let lift = leading_zeros(size(x) | size(y) | size(z)) - 1;
-    let [x, y, z] = [x << lift, y << lift, z << lift];
+    let lift = leading_zeros(size(x) | size(y) | size(z)).wrapping_sub(1);
+    let [x, y, z] = [x, y, z].map(|c| c.wrapping_shl(lift));
     // The upper words alone miss less than three units of 2^28; one more halves that.
-    let square = square_high(x) + square_high(y) + square_high(z) + 1;
+    let square = square_high(x).wrapping_add(square_high(y)).wrapping_add(square_high(z)).wrapping_add(1);
     let even = u32::from(square >> 30 == 0);
     let root = root(square << (2 * even));
     // Component * 2^20 / length, where 1 / length = reciprocal / 2^(61 - even).
     let reciprocal = root.reciprocal >> (1 - even);
-    let unit = |c: i32| (high(c, reciprocal) + (1 << 7)) >> 8;
+    let unit = |c: i32| high(c, reciprocal).wrapping_add(1 << 7) >> 8;
     // A length that needs no shift is 2048 or more.
-    let length = (lift + even).checked_sub(1).map_or(i32::MAX as u32, |down| root.root >> down);
+    let length =
+        lift.wrapping_add(even).checked_sub(1).map_or(i32::MAX as u32, |down| root.root.wrapping_shr(down));
     Some(([unit(x), unit(y), unit(z)], length.min(i32::MAX as u32) as i32))
 }
 

@@ -63,7 +63,9 @@ impl Wide for FixedWide {
     #[inline(never)]
     fn scale(self, numerator: i32, denominator: i32) -> Self {
         if numerator == 1 && denominator > 0 && denominator & (denominator - 1) == 0 {
-            return Self::of(self.bits() >> (31 - leading_zeros(denominator as u32)));
+            return Self::of(
+                self.bits().wrapping_shr(31_u32.wrapping_sub(leading_zeros(denominator as u32))),
+            );
         }
         // Quotient and remainder apart: their product with the numerator is rounded down once.
         let (bits, divisor) = (self.bits(), i64::from(denominator.max(1)));
@@ -73,7 +75,7 @@ impl Wide for FixedWide {
         let small = u32::try_from(numerator).ok().and_then(|n| (remainder as u32).checked_mul(n));
         let part = match small {
             Some(product) => i64::from(product / divisor as u32),
-            None => (remainder * i64::from(numerator)).div_euclid(divisor),
+            None => remainder.wrapping_mul(i64::from(numerator)).div_euclid(divisor),
         };
         Self::of(whole.saturating_add(part))
     }

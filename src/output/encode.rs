@@ -26,8 +26,8 @@ impl Quantizer {
 
 /// Rounds a level, a fraction of 2^16, to one of 0 to `top`.
 fn quantize(level: u32, top: u8, threshold: u32) -> u8 {
-    // The threshold is below 2^16, so the largest level yields `top` itself.
-    ((level * u32::from(top) + threshold) >> 16) as u8
+    // A level is at most 2^16 and the threshold below it, so the largest level yields `top` itself.
+    (level.wrapping_mul(u32::from(top)).wrapping_add(threshold) >> 16) as u8
 }
 
 /// Is a colour a panel understands.

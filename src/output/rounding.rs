@@ -59,7 +59,7 @@ fn diffuse<P: Encode>(levels: [u32; 3], remainders: &mut [u32; 3]) -> P {
     let thresholds = *remainders;
     for ((remainder, level), top) in remainders.iter_mut().zip(levels).zip(P::TOPS) {
         // The threshold is added before rounding down: what is cut off is the error and the next threshold.
-        *remainder = (level * u32::from(top) + *remainder) & 0xffff;
+        *remainder = level.wrapping_mul(u32::from(top)).wrapping_add(*remainder) & 0xffff;
     }
     P::by_thresholds(levels, thresholds)
 }

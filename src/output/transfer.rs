@@ -55,7 +55,8 @@ fn srgb(light: u32) -> u32 {
         Some([low, high, ..]) => {
             let (low, high) = (u32::from(*low), u32::from(*high));
             let inside = light & ((1 << PIECE_BITS) - 1);
-            2 * low + (((high - low) * inside) >> (PIECE_BITS - 1))
+            // The curve rises by less than 2^15 over a piece of less than 2^16 lights.
+            2 * low + (high.wrapping_sub(low).wrapping_mul(inside) >> (PIECE_BITS - 1))
         }
         _ => 1 << 16,
     }

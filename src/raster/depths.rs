@@ -62,7 +62,7 @@ impl<S: Scalar, O: Observer> Painter<'_, S, O> {
         let object = self.object;
         let mut first = columns.start;
         while first < columns.end {
-            let end = columns.end.min(first + BLOCK);
+            let end = columns.end.min(first.saturating_add(BLOCK));
             let places = self.row.get_mut(first as usize..end as usize).unwrap_or_default();
             for (place, nearness) in places.iter_mut().zip(from(first)) {
                 place.cover(Fragment { nearness, object, part });

@@ -100,7 +100,7 @@ impl<'a, 'w, S: Scalar, const WIDTH: usize, X: Intersect<S>> RasterRenderer<'a, 
     ) -> impl Iterator<Item = P> + 'r {
         let Settings { transfer, dither, .. } = self.settings;
         let mut rounding = Rounding::of_row(dither, y);
-        (0..)
+        (0..self.size.width)
             .zip(self.light(y, slice, observer))
             .map(move |(x, light)| rounding.encode(x, light_bits(light), transfer))
     }

@@ -87,7 +87,7 @@ impl<S: Scalar> Slice<S> {
             let place = (slope - start).ratio(extent).mul_wide(S::ONE).scale(count, 1);
             // Rounded up: the middle of column x lies half a column beyond x.
             let column = S::floor(S::HALF.mul_wide(S::ONE) - place).saturating_neg();
-            column.clamp(0, count) as u32
+            column.min(count).max(0) as u32
         };
         first(low)..first(high)
     }
@@ -185,8 +185,9 @@ pub(super) struct Ramp<S: Scalar> {
 impl<S: Scalar> Ramp<S> {
     /// Answers the values from the middle of column `x` on.
     pub fn from(&self, x: u32) -> impl Iterator<Item = S> + use<S> {
-        let middle = i32::try_from(2 * x + 1).unwrap_or(i32::MAX);
-        let (mut at, step) = (self.left + self.extent.scale(middle, 2 * self.count), self.step);
+        // The double of a column's number fits.
+        let middle = i32::try_from(x.wrapping_mul(2).wrapping_add(1)).unwrap_or(i32::MAX);
+        let (mut at, step) = (self.left + self.extent.scale(middle, self.count.wrapping_mul(2)), self.step);
         core::iter::repeat_with(move || {
             let value = S::narrow(at);
             at = at + step;

@@ -76,6 +76,11 @@ impl Block {
         }
     }
 
+    /// Answers the column of a place.
+    fn column(&self, place: u8) -> u32 {
+        self.left.saturating_add(u32::from(place))
+    }
+
     /// Begins at the first column of a segment.
     fn begin(&mut self, column: u32) {
         (self.left, self.end) = (column, 0);
@@ -85,14 +90,14 @@ impl Block {
     /// Begins where the block before has ended: that sample is taken.
     fn go_on(&mut self) {
         let last = self.at(self.end);
-        (self.left, self.end) = (self.left + u32::from(self.end), 0);
+        (self.left, self.end) = (self.column(self.end), 0);
         self.set(0, last);
     }
 
     /// Wants the columns of a row that are always traced, as many as a packet holds.
     fn want(&mut self, columns: &Columns) {
-        while !self.wanted.is_full() && self.left + u32::from(self.end) < columns.last {
-            let place = (columns.after(self.left + u32::from(self.end)) - self.left) as u8;
+        while !self.wanted.is_full() && self.column(self.end) < columns.last {
+            let place = columns.after(self.column(self.end)).wrapping_sub(self.left) as u8;
             let from = Sample { next: place, settled: false, ..self.at(self.end) };
             self.set(self.end, from);
             self.end = place;
@@ -108,8 +113,8 @@ impl Block {
             let sample = self.at(place);
             let next = sample.next;
             if !sample.settled {
-                let settled = next - place < 2 || sample.agrees(&self.at(next));
-                let middle = if settled { next } else { place + (next - place) / 2 };
+                let settled = next.wrapping_sub(place) < 2 || sample.agrees(&self.at(next));
+                let middle = if settled { next } else { place.midpoint(next) };
                 self.set(place, Sample { settled, next: middle, ..sample });
                 if !settled {
                     self.set(middle, Sample { next, ..Sample::NONE });
@@ -132,13 +137,14 @@ struct Columns {
 impl Columns {
     fn of(segment: Range<u32>, phase: u32) -> Self {
         let step = if segment.len() as u32 <= NARROW { 1 } else { STEP };
-        Self { last: segment.end - 1, phase, step }
+        Self { last: segment.end.saturating_sub(1), phase, step }
     }
 
     /// Answers the next such column.
     fn after(&self, column: u32) -> u32 {
-        let next = (column + self.phase) / self.step * self.step + self.step - self.phase;
-        next.min(self.last)
+        let shifted = column.saturating_add(self.phase);
+        let next = shifted.saturating_sub(shifted % self.step.max(1)).saturating_add(self.step);
+        next.saturating_sub(self.phase).min(self.last)
     }
 }
 
@@ -155,7 +161,7 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
     fn look<P: Encode>(&mut self, block: &mut Block, row: &mut Row<'_, S>, candidates: Candidates<'_>) {
         let (wanted, left) = (core::mem::take(&mut block.wanted), block.left);
         let rays = wanted.iter().map_while(|place| {
-            row.skip_to(left + u32::from(*place));
+            row.skip_to(left.saturating_add(u32::from(*place)));
             row.next().map(|primary| (primary.ray, primary.interval))
         });
         self.marks.clear();
@@ -206,12 +212,13 @@ impl<P: Encode> Pen<'_, P> {
         let mut steps = [0; 3];
         for (step, (from, to)) in steps.iter_mut().zip(from.levels.iter().zip(&to.levels)) {
             // At most `ALIKE` apart, unless there is nothing between.
-            *step = if count > 1 { (i32::from(*to) - i32::from(*from)) * share } else { 0 };
+            let rise = i32::from(*to) - i32::from(*from);
+            *step = if count > 1 { rise.wrapping_mul(share) } else { 0 };
         }
-        for x in x..x + count {
+        for x in x..x.saturating_add(count) {
             self.put(x, levels.map(|level| (level >> BITS) as u32));
             for (level, step) in levels.iter_mut().zip(steps) {
-                *level += step;
+                *level = level.wrapping_add(step);
             }
         }
     }
@@ -221,12 +228,8 @@ impl<P: Encode> Pen<'_, P> {
         let mut place = 0;
         while place < block.end {
             let from = block.at(place);
-            self.fill(
-                block.left + u32::from(place),
-                &from,
-                &block.at(from.next),
-                u32::from(from.next - place),
-            );
+            let count = u32::from(from.next.wrapping_sub(place));
+            self.fill(block.column(place), &from, &block.at(from.next), count);
             place = from.next;
         }
     }
@@ -252,12 +255,12 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
         let phase = y % 2 * (STEP / 2);
         // A segment cut here, before the first column, is wide with or without what is cut off.
         let first = self.settings.dither.first_column(columns.start);
-        let mut x = (first.saturating_sub(NARROW) + phase) / STEP * STEP;
+        let mut x = first.saturating_sub(NARROW).saturating_add(phase) / STEP * STEP;
         x = x.saturating_sub(phase);
         spans.enter_row(&self.scene, &self.frame, y);
         let mut row = self.frame.row(y, x);
         while x < columns.end {
-            let stop = spans.enter_column(x).clamp(x + 1, self.size.width);
+            let stop = spans.enter_column(x).min(self.size.width).max(x.saturating_add(1));
             let segment = Columns::of(x..stop, phase);
             block.begin(x);
             loop {
@@ -266,7 +269,7 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
                 probe.look::<P>(&mut block, &mut row, spans.candidates());
                 probe.settle::<P>(&mut block, &first, &spans.candidates());
                 pen.write(&block);
-                let reached = block.left + u32::from(block.end);
+                let reached = block.column(block.end);
                 if reached == segment.last || reached >= columns.end {
                     pen.put(reached, block.at(block.end).levels.map(u32::from));
                     break;

@@ -47,17 +47,15 @@ impl Spans {
             }
             Err(place) => place,
         };
+        if span.index >= self.rest.start {
+            return;
+        }
+        // All from its place on make room for it.
+        let mut last = span;
+        self.row.iter_mut().skip(place).for_each(|known| core::mem::swap(known, &mut last));
         // Objects from `rest` on are candidates everywhere: where there is no more room, the last ones are.
-        if span.index < self.rest.start
-            && let Err(span) = self.row.insert(place, span)
-        {
-            self.rest.start = span.index;
-            if place < self.row.len()
-                && let Some(last) = self.row.pop()
-            {
-                self.rest.start = last.index;
-                let _ = self.row.insert(place, span);
-            }
+        if let Err(last) = self.row.push(last) {
+            self.rest.start = last.index;
         }
     }
 }

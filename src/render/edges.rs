@@ -136,7 +136,11 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
         let mut judge = Judge::new(columns, probed.start);
         let mut x = probed.start;
         while x < probed.end {
-            let stop = sampler.spans.enter_column(x).clamp(x + 1, probed.end.min(x + LANES as u32));
+            let stop = sampler
+                .spans
+                .enter_column(x)
+                .min(probed.end.min(x.saturating_add(LANES as u32)))
+                .max(x.saturating_add(1));
             for probe in zigzag.probe(&mut sampler, x..stop) {
                 judge.go_on(Some(probe), &mut sampler, &mut pixel);
             }

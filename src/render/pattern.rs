@@ -53,27 +53,30 @@ impl Pattern {
     }
 
     /// Answers the column and the line of places that sample `number` of a pixel takes.
-    pub fn place(self, pixel: [u32; 2], number: u32) -> [u32; 2] {
+    pub fn place(self, pixel: [u32; 2], number: u32) -> [u8; 2] {
         let side = u32::from(self.side.max(1));
-        let square = [number % side, number / side];
+        let square = [number % side, number / side].map(|place| place as u8);
         if self.places == 1 {
             return square;
         }
         let [right, down] = hash(pixel[0], pixel[1], number);
-        let places = u32::from(self.places);
-        [square[0] * places + right % places, square[1] * places + down % places]
+        let place = |square: u8, random: u16| {
+            let inside = random % u16::from(self.places.max(1));
+            square.wrapping_mul(self.places).wrapping_add(inside as u8)
+        };
+        [place(square[0], right), place(square[1], down)]
     }
 }
 
 /// Hashes three numbers to two (M. Jarzynski, M. Olano 2020, "Hash Functions for GPU Rendering", pcg3d).
 ///
 /// The upper halves are answered, which are the better ones; 32-bit products alone, so that an M0+ is quick.
-fn hash(x: u32, y: u32, z: u32) -> [u32; 2] {
+fn hash(x: u32, y: u32, z: u32) -> [u16; 2] {
     let mut v = [x, y, z].map(|n| n.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     stir(&mut v);
     v = v.map(|n| n ^ n >> 16);
     stir(&mut v);
-    [v[0] >> 16, v[1] >> 16]
+    [(v[0] >> 16) as u16, (v[1] >> 16) as u16]
 }
 
 fn stir(v: &mut [u32; 3]) {
@@ -91,9 +94,9 @@ mod tests {
         for side in 1..=MOST {
             for number in 0..u32::from(side) * u32::from(side) {
                 let square = [number % u32::from(side), number / u32::from(side)];
-                assert_eq!(Pattern::middles(side).place([3, 5], number), square);
+                assert_eq!(Pattern::middles(side).place([3, 5], number).map(u32::from), square);
                 for pixel in 0..200 {
-                    let place = Pattern::scattered(side).place([pixel, 7 * pixel], number);
+                    let place = Pattern::scattered(side).place([pixel, 7 * pixel], number).map(u32::from);
                     assert_eq!(place.map(|n| n / u32::from(PLACES)), square);
                 }
             }

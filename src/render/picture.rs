@@ -58,7 +58,7 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
         let mut row = self.frame.row(y, columns.start);
         let mut x = columns.start;
         while x < columns.end {
-            let stop = spans.enter_column(x).clamp(x + 1, columns.end);
+            let stop = spans.enter_column(x).min(columns.end).max(x.saturating_add(1));
             let nothing = spans.candidates().is_empty() && self.scene.tree().is_none();
             if let (true, Some(light)) = (nothing, tracer.background()) {
                 while x < stop {
@@ -76,7 +76,8 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
                     row.by_ref().take(together as usize).map(|primary| (primary.ray, primary.interval));
                 for light in tracer.radiance(packet, rays, spans.candidates(), observer) {
                     pixel(x, *light);
-                    x += 1;
+                    // There is a light for each column up to `stop` at most.
+                    x = x.wrapping_add(1);
                 }
             }
         }

@@ -101,7 +101,7 @@ struct Brush<'t, D> {
 impl<C: Encode + PixelColor, D: DrawTarget<Color = C>> Brush<'_, D> {
     /// Takes the levels of the block that begins in column `x`.
     fn take(&mut self, x: u32, levels: [u32; 3]) -> Result<(), D::Error> {
-        let end = self.left + ((self.blocks.len() as u32) << self.shift);
+        let end = self.left.saturating_add((self.blocks.len() as u32).wrapping_shl(self.shift));
         if x != end || self.blocks.is_full() {
             self.paint()?;
             self.left = x;
@@ -116,19 +116,20 @@ impl<C: Encode + PixelColor, D: DrawTarget<Color = C>> Brush<'_, D> {
     fn paint(&mut self) -> Result<(), D::Error> {
         let (left, shift, dither) = (self.left, self.shift, self.dither);
         let blocks = core::mem::take(&mut self.blocks);
-        let width = ((blocks.len() as u32) << shift).min(self.width - left);
+        let right = left.saturating_add((blocks.len() as u32).wrapping_shl(shift)).min(self.width);
         let place = |origin: i32, pixel: u32| origin.saturating_add(pixel as i32);
         let corner = Point::new(place(self.corner.x, left), place(self.corner.y, self.rows.start));
-        let area = Rectangle::new(corner, Size::new(width, self.rows.len() as u32));
+        let area = Rectangle::new(corner, Size::new(right.saturating_sub(left), self.rows.len() as u32));
         let color = |x: u32, y: u32| {
-            let levels = blocks.get(((x - left) >> shift) as usize).copied().unwrap_or_default();
+            let levels =
+                blocks.get(x.wrapping_sub(left).wrapping_shr(shift) as usize).copied().unwrap_or_default();
             C::from_levels(levels, dither.threshold(x, y))
         };
         match blocks.len() {
             0 => Ok(()),
             1 if dither == Dither::None => self.target.fill_solid(&area, color(left, self.rows.start)),
             _ => {
-                let pixels = self.rows.clone().flat_map(|y| (left..left + width).map(move |x| (x, y)));
+                let pixels = self.rows.clone().flat_map(|y| (left..right).map(move |x| (x, y)));
                 self.target.fill_contiguous(&area, pixels.map(|(x, y)| color(x, y)))
             }
         }

@@ -36,7 +36,8 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
     ) -> Sampler<'a, 's, 'o, S, X, O> {
         let Scratch { packet, spans, vicinities, pending } = scratch;
         let pattern = self.settings.quality.pattern();
-        let lines = (0..pattern.lines()).map(|line| [2 * line + 1, 2 * pattern.lines()]);
+        let lines = (0..pattern.lines())
+            .map(|line| [line.saturating_mul(2).saturating_add(1), pattern.lines().saturating_mul(2)]);
         spans.enter_band(&self.scene, &self.frame, y, lines.chain(more.iter().copied()));
         let (tracer, row) = (self.tracer(vicinities, pending), self.frame.row(y, x));
         let grid = Grid::new(pattern, self.frame.pixel(), y);
@@ -80,7 +81,7 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Sampler<'_, '_, '_, S, X, O> {
         let mut next = Sample { x: columns.start, number: 0 };
         let mut mean = Mean::new(grid.pattern.count());
         while next.x < columns.end {
-            let stop = spans.enter_column(next.x).clamp(next.x + 1, columns.end);
+            let stop = spans.enter_column(next.x).min(columns.end).max(next.x.saturating_add(1));
             while next.x < stop {
                 let mut sample = next;
                 let rays = (0..LANES).map_while(|_| {
@@ -130,10 +131,11 @@ impl<S: Scalar> Grid<S> {
 
     /// Answers the sample after this one, among pixels `stride` apart.
     fn after(&self, Sample { x, number }: Sample, stride: u32) -> Sample {
-        if number + 1 < self.pattern.count() {
-            Sample { x, number: number + 1 }
+        let next = number.wrapping_add(1);
+        if next < self.pattern.count() {
+            Sample { x, number: next }
         } else {
-            Sample { x: x + stride, number: 0 }
+            Sample { x: x.saturating_add(stride), number: 0 }
         }
     }
 
@@ -144,7 +146,7 @@ impl<S: Scalar> Grid<S> {
         let [right, down] = self
             .pattern
             .place([x, self.y], number)
-            .map(|place| S::from_i32(2 * place as i32 + 1 - i32::from(self.pattern.lines())) * self.half);
+            .map(|place| S::from_i32(2 * i32::from(place) + 1 - i32::from(self.pattern.lines())) * self.half);
         row.beside(self.sides[0].mul_wide(right) + self.sides[1].mul_wide(down))
     }
 }

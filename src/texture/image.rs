@@ -145,8 +145,8 @@ fn mix<S: Scalar>(bitmap: &Bitmap, spot: &Spot<S>, read: impl Fn([u8; 3]) -> Rgb
     };
     let right = S::fract(spot.right.mul_wide(S::ONE));
     let down = S::fract(spot.down.mul_wide(S::ONE));
-    let line = |row| lerp(texel(column, row), texel(column + 1, row), right);
-    lerp(line(row), line(row + 1), down)
+    let line = |row| lerp(texel(column, row), texel(column.wrapping_add(1), row), right);
+    lerp(line(row), line(row.wrapping_add(1)), down)
 }
 
 /// Answers the colour at a share of the way from one to another.

@@ -50,7 +50,7 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
             return color;
         }
         let mut sum = site.ambient * color;
-        for (number, light) in (0..).zip(self.scene.lights) {
+        for (number, light) in (0..u16::MAX).zip(self.scene.lights) {
             let Some((direction, distance)) = facing(light, &site.surface) else { continue };
             let cosine = brdf::lambert(site.surface.normal, direction);
             if cosine > S::ZERO

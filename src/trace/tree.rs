@@ -35,13 +35,13 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
                 let refracted = self.split(&mut lane, &mut within);
                 if let Some(place) = self.pending.get_mut(waiting).filter(|_| refracted.weight.max() > faint)
                 {
-                    *place = Pending { level: level + 1, ..refracted };
+                    *place = Pending { level: level.saturating_add(1), ..refracted };
                     waiting += 1;
                 }
             }
             if lane.weight.max() > faint {
                 observer.ray(RayKind::Reflection);
-                level += 1;
+                level = level.saturating_add(1);
             } else {
                 let next = waiting.checked_sub(1).and_then(|last| self.pending.get(last));
                 let Some(next) = next else { return };
@@ -118,7 +118,7 @@ fn glass_of<'a, S: Scalar, X>(scene: &Scene<'a, S, X>, material: u16) -> Option<
 /// nearest such is the innermost.
 fn around<S: Scalar, X: Intersect<S>>(scene: &Scene<'_, S, X>, ray: &Ray<S>, but: u16) -> u16 {
     let (mut interval, mut innermost) = (Interval::AHEAD, SPACE);
-    for (index, object) in (0..).zip(scene.objects) {
+    for (index, object) in (0..u16::MAX).zip(scene.objects) {
         if index == but || glass_of(scene, object.material).is_none() {
             continue;
         }

@@ -151,9 +151,10 @@ impl<S: Scalar> Beam<S> {
     fn blockers<X: Intersect<S>>(&self, scene: &Scene<'_, S, X>) -> [u32; WORDS] {
         let mut words = [0; WORDS];
         for (word, objects) in words.iter_mut().zip(scene.objects.chunks(32)) {
-            let bits = objects.iter().enumerate();
-            *word =
-                bits.fold(0, |word, (bit, object)| word | u32::from(self.meets(&object.shape.hull())) << bit);
+            let bits = (0..u32::BITS).zip(objects);
+            *word = bits.fold(0, |word, (bit, object)| {
+                word | u32::from(self.meets(&object.shape.hull())).wrapping_shl(bit)
+            });
         }
         words
     }

@@ -44,7 +44,7 @@ impl<S: Scalar> Class<S> {
 pub(super) fn classify<S: Scalar>(classes: &[Class<S>], value: S) -> (Rgb<S>, S) {
     let number = |level: u8| S::from_i32(i32::from(level));
     let plain = |class: &Class<S>| (class.color, number(class.opacity));
-    let above = classes.iter().position(|class| number(class.value) > value).unwrap_or(classes.len());
+    let above = classes.partition_point(|class| number(class.value) <= value);
     let lower = above.checked_sub(1).and_then(|below| classes.get(below));
     match (lower, classes.get(above)) {
         (Some(low), Some(high)) => {
@@ -62,12 +62,12 @@ pub(super) fn classify<S: Scalar>(classes: &[Class<S>], value: S) -> (Rgb<S>, S)
 /// Tells whether all values of a range, its ends included, are transparent.
 pub(super) fn are_clear<S>(classes: &[Class<S>], [low, high]: [u8; 2]) -> bool {
     let next = classes.iter().skip(1).map(Some).chain([None]);
-    let knots = classes.iter().enumerate().zip(next);
+    let knots = classes.iter().zip(next);
     // A knot matters from the one before it to the one after it, the first and the last without end.
     let mut before = 0;
-    for ((place, class), next) in knots {
-        let (first, last) = (if place == 0 { 0 } else { before }, next.map_or(u8::MAX, |next| next.value));
-        if class.opacity > 0 && first <= high && low <= last {
+    for (class, next) in knots {
+        let last = next.map_or(u8::MAX, |next| next.value);
+        if class.opacity > 0 && before <= high && low <= last {
             return false;
         }
         before = class.value;

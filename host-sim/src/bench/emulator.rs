@@ -49,17 +49,18 @@ pub fn qemu(chip: &Chip, image: &Image, stride: u32) -> Command {
 /// Runs each `stride`th row of the image and counts instructions: with `shift=0` each takes a nanosecond of the
 /// board's time.
 pub fn count_instructions(chip: &Chip, image: &Image, stride: u32) -> Result<Said, Failure> {
-    listen(QEMU, qemu(chip, image, stride).args(["-icount", "shift=0"]))
+    listen(QEMU, qemu(chip, image, stride).args(["-icount", "shift=0"])).map(Said)
 }
 
 /// Runs each `stride`th row of the image on the emulated RP2040, which counts cycles.
 pub fn count_cycles(image: &Image, stride: u32) -> Result<Said, Failure> {
     let script = project().join("host-sim/boards/measure.mjs");
     listen("node", Command::new("node").arg(script).arg(image.path.as_os_str()).arg(stride.to_string()))
+        .map(Said)
 }
 
-/// Runs a program to its end.
-fn listen(name: &'static str, command: &mut Command) -> Result<Said, Failure> {
+/// Runs a program to its end and answers what it said.
+pub fn listen(name: &'static str, command: &mut Command) -> Result<String, Failure> {
     let mut child = command
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -72,7 +73,7 @@ fn listen(name: &'static str, command: &mut Command) -> Result<Said, Failure> {
     // What cannot be read is missing below.
     let _ = child.stdout.take().map(|mut out| out.read_to_string(&mut said));
     let _ = child.stderr.take().map(|mut out| out.read_to_string(&mut complained));
-    if ended_well { Ok(Said(said)) } else { Err(Failure::Firmware(said + &complained)) }
+    if ended_well { Ok(said) } else { Err(Failure::Firmware(said + &complained)) }
 }
 
 /// Waits for the end, at most as long as our patience; the few words the firmware says fit in a pipe.

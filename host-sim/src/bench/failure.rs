@@ -45,6 +45,7 @@ impl fmt::Display for Failure {
 fn advice(program: &str) -> &'static str {
     match program {
         "qemu-system-arm" => "Debian and Ubuntu have it: apt-get install qemu-system-arm",
+        "qemu-system-riscv32" => "Debian and Ubuntu have it: apt-get install qemu-system-misc",
         "node" => "The emulated RP2040 needs Node.js 18 or newer and: npm ci --prefix host-sim/boards",
         _ => "It comes with Rust: https://rustup.rs",
     }

@@ -16,7 +16,7 @@ use tempfile::{NamedTempFile, TempPath};
 const FLAGS: &str =
     "-C link-arg=--nmagic -C link-arg=-Texamples/boards/mps2_an386.ld -C symbol-mangling-version=v0";
 
-/// Is an image of the measuring firmware.
+/// Is an image of firmware that is measured or inspected.
 #[derive(Debug)]
 pub struct Image {
     /// Where it lies, as long as this lasts: the next image takes its place among the built ones.
@@ -35,6 +35,19 @@ pub struct Sizes {
 /// Answers the folder of the project, whose firmware is measured.
 pub fn project() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""))
+}
+
+/// Answers the command that builds an example for a target; `flags` take the place of the target's own.
+pub fn cargo(example: &str, target: &str, flags: &str) -> Command {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command
+        .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
+        .args(["--example", example, "--target", target])
+        .current_dir(project())
+        .env("RUSTFLAGS", flags)
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command
 }
 
 /// Is what cargo says of something it has built, as far as it matters here.
@@ -67,17 +80,14 @@ impl Image {
     }
 
     fn link(chip: &Chip, features: &str, flags: &str, variables: &[(&str, &OsStr)]) -> Result<Self, Failure> {
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let output = Command::new(cargo)
-            .args(["build", "--release", "--quiet", "--message-format=json-render-diagnostics"])
-            .args(["--example", "measure", "--target", chip.target])
-            .args(["--no-default-features", "--features", features])
-            .current_dir(project())
-            .env("RUSTFLAGS", flags)
-            .env_remove("CARGO_ENCODED_RUSTFLAGS")
-            .envs(variables.iter().copied())
-            .output()
-            .map_err(|error| Failure::Start("cargo", error))?;
+        let mut cargo = cargo("measure", chip.target, flags);
+        cargo.args(["--no-default-features", "--features", features]);
+        Self::built_by(cargo.envs(variables.iter().copied()))
+    }
+
+    /// Builds the image that a command of [`cargo`] describes.
+    pub fn built_by(command: &mut Command) -> Result<Self, Failure> {
+        let output = command.output().map_err(|error| Failure::Start("cargo", error))?;
         let messages = String::from_utf8_lossy(&output.stdout);
         let built = messages.lines().filter_map(|line| serde_json::from_str::<Built>(line).ok());
         match built.filter_map(|built| built.executable).next_back() {

@@ -21,15 +21,17 @@ mod truth;
 
 pub use case::{Case, Choice};
 pub use chip::{CHIPS, Chip};
+pub(crate) use emulator::{QEMU, listen};
 pub use failure::Failure;
 pub use hierarchies::{Cost, cost};
+pub(crate) use image::{Image, cargo, project};
 pub use profile::{Profile, profile, report};
+pub(crate) use profile::{Symbols, plain};
 pub use row::Row;
 pub use snapshot::{Snapshot, WORST_PSNR};
 pub use table::table;
 
 use emulator::Said;
-use image::Image;
 use std::sync::mpsc;
 use std::thread;
 use truth::Truth;

@@ -1,6 +1,7 @@
 use super::bake_args::BakeArgs;
 use super::hierarchies_args::HierarchiesArgs;
 use super::look::{Curve, Look, size};
+use super::prove::ProveArgs;
 use super::rays::Rays;
 use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
@@ -50,6 +51,8 @@ pub(super) enum Command {
     Walks(WalksArgs),
     /// Measure scenes on emulated chips: instructions, flash, RAM, stack; for work on this project
     Bench(BenchArgs),
+    /// Prove of emulated chips that nothing panics and all draw the same bits; for work on this project
+    Prove(ProveArgs),
     /// Measure the core against renderers nobody here wrote: povray and tachyon
     Race(RaceArgs),
     /// Measure how the work of a ray grows with the number of things, by each kind of hierarchy

@@ -16,6 +16,7 @@ mod list;
 mod look;
 mod progress;
 mod progressive;
+mod prove;
 mod race;
 mod rays;
 mod render;
@@ -79,6 +80,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Dither(args) => dither::run(args, &mut out)?,
         Command::Walks(args) => walks::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,
+        Command::Prove(args) => prove::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
         Command::Bake(args) => bake::run(args, &mut out)?,

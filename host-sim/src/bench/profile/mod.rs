@@ -10,6 +10,8 @@ mod symbols;
 mod trace;
 
 pub use report::report;
+pub(crate) use stage::plain;
+pub(crate) use symbols::Symbols;
 
 use super::emulator;
 use super::image::Image;
@@ -17,7 +19,6 @@ use super::{Chip, Choice, Failure, SIZE};
 use calls::Counts;
 use stage::{Shape, Stage};
 use std::collections::BTreeMap;
-use symbols::Symbols;
 
 /// Says where a picture's instructions go.
 #[derive(Debug)]

@@ -1,0 +1,64 @@
+//! What runs on the chip: each scene in each way, with its checksum and its stack.
+
+#[cfg_attr(target_arch = "arm", path = "cortex.rs")]
+#[cfg_attr(target_arch = "riscv32", path = "riscv.rs")]
+mod chip;
+#[path = "../../boards/decimal.rs"]
+mod decimal;
+#[path = "../frames.rs"]
+mod frames;
+mod host;
+mod planted;
+mod stack;
+
+use core::{hint::black_box, panic::PanicInfo};
+use scanray::gallery::{Gallery, View};
+
+use self::{decimal::Decimal, frames::WAYS};
+
+/// Proves whatever number the image is built for.
+fn prove() -> ! {
+    planted::call();
+    match option_env!("SCANRAY_NUMBER") {
+        Some("f32") => prove_number::<f32>(),
+        _ => prove_number::<scanray::Fixed>(),
+    }
+    host::end(true)
+}
+
+fn prove_number<S: Gallery>() {
+    say(&["workspace ", text(&Decimal::new(frames::workspace_bytes::<S>() as u32))]);
+    // Nothing is known of the scenes when this is compiled.
+    for view in black_box(S::views()) {
+        for (way, name) in WAYS.iter().enumerate() {
+            prove_picture(view, black_box(way), name);
+        }
+    }
+}
+
+/// Says `SCENE WAY CHECKSUM STACK`; nothing of a picture that the core refuses to draw.
+#[inline(never)]
+fn prove_picture<S: Gallery>(view: &View<S>, way: usize, name: &str) {
+    stack::paint();
+    let Ok(checksum) = frames::checksum(view, way) else { return };
+    let used = stack::used();
+    say(&[view.name, " ", name, " ", text(&Decimal::new(checksum)), " ", text(&Decimal::new(used))]);
+}
+
+/// Answers the digits as text.
+fn text(decimal: &Decimal) -> &str {
+    str::from_utf8(decimal.as_bytes()).unwrap_or_default()
+}
+
+/// Says a line.
+fn say(parts: &[&str]) {
+    parts.iter().chain(&["\n"]).for_each(|part| host::write(part));
+}
+
+/// Is the place that every panic leads to: no image of a core that cannot panic has it.
+#[panic_handler]
+#[inline(never)]
+fn panicked(info: &PanicInfo) -> ! {
+    say(&["failed: the firmware panicked in ", info.location().map_or("no file", |place| place.file())]);
+    host::end(false)
+}
