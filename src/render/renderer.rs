@@ -124,6 +124,18 @@ where
     }
 }
 
+/// Answers the columns and the rows of a part that lie in a picture of some size; `Rectangle::intersection` would wrap
+/// where a part ends beyond the largest coordinate.
+fn inside(part: &Rectangle, size: Size) -> [Range<u32>; 2] {
+    let cut = |start: i32, length: u32, most: u32| {
+        let [start, end] =
+            [start, start.saturating_add_unsigned(length)].map(|end| end.max(0).unsigned_abs());
+        start..end.min(most)
+    };
+    let Rectangle { top_left, size: extent } = *part;
+    [cut(top_left.x, extent.width, size.width), cut(top_left.y, extent.height, size.height)]
+}
+
 /// Answers the weight up to which all that a ray can still bring is too faint for any panel.
 ///
 /// It brings less than 2^-16: 1/20 of the darkest step of 8 bits a channel, which the sRGB curve
@@ -187,19 +199,20 @@ where
         observer: &mut impl Observer,
     ) -> Result<(), D::Error> {
         const { assert!(WIDTH > 0, "drawing needs a workspace with room for a row") };
-        let part = part.intersection(&Rectangle::new(Point::zero(), self.picture.size));
-        if part.is_zero_sized() {
+        let [columns, rows] = inside(part, self.picture.size);
+        if columns.is_empty() {
             return Ok(());
         }
-        let Point { x: left, y: top } = part.top_left;
-        let columns = left as u32..left as u32 + part.size.width;
         let Workspace { scanline, scratch } = &mut *self.workspace;
         // No row is longer than WIDTH: `new` has seen to it.
         let (pixels, _) = scanline.split_at_mut(columns.len().min(WIDTH));
-        for y in top as u32..top as u32 + part.size.height {
+        for y in rows {
             self.picture.encode_row(scratch, y, columns.clone(), pixels, observer);
-            let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
-            let row = Rectangle::new(place, Size::new(part.size.width, 1));
+            let place = Point::new(
+                corner.x.saturating_add_unsigned(columns.start),
+                corner.y.saturating_add_unsigned(y),
+            );
+            let row = Rectangle::new(place, Size::new(pixels.len() as u32, 1));
             target.fill_contiguous(&row, pixels.iter().copied())?;
         }
         Ok(())
