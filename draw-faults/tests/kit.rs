@@ -40,6 +40,7 @@ fn drawn(canvas: &Memory) -> usize {
 fn a_canvas_keeps_what_lies_within_and_leaves_out_the_rest() {
     let mut canvas = Canvas::<Gray8, _, Broken>::new(area(-2, 5, 3, 2), [None; 6]);
     canvas.fill_contiguous(&area(-3, 4, 3, 3), grays(9)).unwrap();
+    canvas.draw_iter([Pixel(Point::new(1, 5), Gray8::WHITE), Pixel(Point::new(0, 7), Gray8::WHITE)]).unwrap();
     let levels: Vec<_> = canvas.pixels().iter().map(|pixel| pixel.map(|gray| gray.luma())).collect();
     assert_eq!(levels, [Some(5), Some(6), None, Some(8), Some(9), None]);
     assert_eq!(canvas.pixel(Point::new(-2, 6)), Some(Gray8::new(8)));
@@ -108,6 +109,15 @@ fn pixels_are_counted_over_calls_and_a_drawing_that_ends_before_does_not_fail() 
     assert_eq!(display.fill_contiguous(&area(0, 0, 1, 1), grays(1)), Err(BROKEN));
     assert_eq!(display.fill_solid(&area(0, 0, 1, 1), Gray8::WHITE), Err(BROKEN));
     assert_eq!(display.inner().pixel(Point::zero()), Some(Gray8::new(1)));
+}
+
+#[test]
+fn a_solid_fill_stays_one_unless_it_fails() {
+    let logging = Logging::new(memory(), Vec::new());
+    let mut display = Failing::once(logging, At::Pixel(24), BROKEN);
+    display.clear(Gray8::BLACK).unwrap();
+    assert_eq!(display.clear(Gray8::WHITE), Err(BROKEN));
+    assert_eq!(*display.inner().calls(), [Call::Solid(ALL), Call::Contiguous(ALL)]);
 }
 
 #[test]
