@@ -30,10 +30,25 @@ impl Run {
 
     /// Builds and runs the board's example until it has drawn so many pictures.
     pub fn of_frames(board: &'static Board, frames: usize) -> Self {
-        let folder = scratch(board.example);
+        Self::asked_for(board, "FRAMES", frames)
+    }
+
+    /// Builds and runs the board's example until that much of its own time has passed.
+    pub fn of_seconds(board: &'static Board, seconds: usize) -> Self {
+        Self::asked_for(board, "SECONDS", seconds)
+    }
+
+    /// Builds and runs the board's example for a picture, and for one more after each of so many resets.
+    pub fn of_resets(board: &'static Board, resets: usize) -> Self {
+        Self::asked_for(board, "RESETS", resets)
+    }
+
+    /// Builds and runs the board's example, of which so much of something is asked.
+    fn asked_for(board: &'static Board, what: &str, number: usize) -> Self {
+        let folder = scratch(&format!("{}-{}", board.example, what.to_lowercase()));
         let _ = fs::remove_dir_all(&folder);
         let mut run = cargo("run", board);
-        run.env("SCANRAY_BOARD_OUT", &folder).env("SCANRAY_BOARD_FRAMES", frames.to_string());
+        run.env("SCANRAY_BOARD_OUT", &folder).env(format!("SCANRAY_BOARD_{what}"), number.to_string());
         let output = run.output().expect("cargo does not start");
         assert!(output.status.success(), "{} failed:\n{}", board.example, said(&output));
         let report = read(&folder.join("report.txt"));

@@ -100,6 +100,45 @@ fn an_rp2040_shows_models_of_many_triangles_out_of_2_mb_of_flash_and_8_kb_of_ram
     table::add(&run, "teapot, knot and balls2, 240x240", "instructions");
 }
 
+/// How often is up to `SCANRAY_RESETS`.
+#[test]
+#[ignore = "needs node with rp2040js (run by .ci/run)"]
+fn an_rp2040_that_is_reset_at_any_moment_draws_the_whole_picture_afterwards() {
+    let resets = from_environment("SCANRAY_RESETS").unwrap_or(2);
+    let run = Run::of_resets(&RP2040, resets);
+    let host = picture::<Fixed, [u8; 2]>("simple", 240, 240);
+    for number in 0..resets {
+        let shown = run.picture(&format!("rp2040_st7789-reset-{number}.rgb565"));
+        assert_same(&shown, host.as_flattened(), 2 * 240);
+    }
+}
+
+/// Runs for `SCANRAY_SOAK_SECONDS` of the board's own time; a turn takes 134 of them.
+#[test]
+#[ignore = "runs for as long as SCANRAY_SOAK_SECONDS says, and needs node with rp2040js"]
+fn an_rp2040_that_turns_for_long_shows_the_same_pictures_again() {
+    let Some(seconds) = from_environment("SCANRAY_SOAK_SECONDS") else {
+        return println!("SCANRAY_SOAK_SECONDS does not say for how long: nothing is run");
+    };
+    let run = Run::of_seconds(&SPIN, seconds);
+    let steps = usize::from(turntable::STEPS);
+    let host: Vec<_> = turntable::cameras()
+        .take(steps)
+        .map(|camera| picture_of::<Fixed, [u8; 2]>(&View { camera, ..*turntable::VIEW }, 240, 240))
+        .collect();
+    let frames = run.count("frames") as usize;
+    for (frame, host) in (0..frames).zip(host.iter().cycle()) {
+        let shown = run.picture(&format!("rp2040_spin-{frame}.rgb565"));
+        assert_same(&shown, host.as_flattened(), 2 * 240);
+    }
+    println!("{frames} pictures, {} whole turns, as the host computes them", frames / steps);
+}
+
+fn from_environment(name: &str) -> Option<usize> {
+    let value = std::env::var(name).ok()?;
+    Some(value.parse().unwrap_or_else(|_| panic!("{name} is no number: {value}")))
+}
+
 /// Answers the first two pictures of a turning board, which are the host's.
 fn turning_pictures(run: &Run) -> [Vec<u8>; 2] {
     let mut cameras = turntable::cameras();

@@ -1,8 +1,9 @@
 //! How pictures reach a display.
 
-use crate::support::{BusFault, Panel, camera, scene};
+use crate::support::{camera, is_a_row, panel, panel_of, pixels, scene};
+use draw_faults::Call;
 use embedded_graphics::mock_display::MockDisplay;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use scanray::{RenderError, Renderer, RowError, Settings, Workspace};
@@ -16,13 +17,13 @@ fn settings() -> Settings {
 #[test]
 fn a_picture_is_one_fill_a_row_from_top_to_bottom() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
-    let mut display = Panel::sized(40, 30).by_rows();
+    let mut display = panel(SIZE).only(is_a_row);
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
     renderer.draw(&mut display).unwrap();
-    assert!(display.is_full());
+    assert!(display.inner().inner().is_full());
     let row = |y| Rectangle::new(Point::new(0, y), Size::new(40, 1));
-    let rows: Vec<_> = (0..30).map(|y| (row(y), false)).collect();
-    assert_eq!(display.fills, rows);
+    let rows: Vec<_> = (0..30).map(|y| Call::Contiguous(row(y))).collect();
+    assert_eq!(*display.inner().calls(), rows);
 }
 
 #[test]
@@ -38,82 +39,67 @@ fn the_embedded_graphics_mock_display_accepts_the_picture() {
 }
 
 #[test]
-fn a_display_error_comes_back_untouched_and_a_retry_draws_the_same_picture() {
-    let mut workspace = Workspace::<f32, Rgb888, 40, 2>::new();
-    let mut whole = Panel::sized(40, 30).by_rows();
-    let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    renderer.draw(&mut whole).unwrap();
-    for failing in 0..30 {
-        let mut display = Panel::sized(40, 30).by_rows();
-        display.fails_at = Some(failing);
-        assert_eq!(renderer.draw(&mut display), Err(BusFault(failing)));
-        renderer.draw(&mut display).unwrap();
-        assert_eq!(display.pixels, whole.pixels, "after an error in row {failing}");
-    }
-}
-
-#[test]
 fn a_picture_in_the_middle_of_a_display_has_the_same_pixels() {
     let mut workspace = Workspace::<f32, Gray4, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut alone = Panel::sized(40, 30).by_rows();
+    let mut alone = panel(SIZE).only(is_a_row);
     renderer.draw(&mut alone).unwrap();
-    let mut larger = Panel::sized(100, 50).by_rows();
+    let mut larger = panel(Size::new(100, 50)).only(is_a_row);
     renderer.draw_at(Point::new(17, 9), &mut larger).unwrap();
-    for (i, pixel) in alone.pixels.iter().enumerate() {
-        assert_eq!(larger.pixels[(i / 40 + 9) * 100 + i % 40 + 17], *pixel);
+    for (i, pixel) in pixels(&alone).iter().enumerate() {
+        assert_eq!(pixels(&larger)[(i / 40 + 9) * 100 + i % 40 + 17], *pixel);
     }
-    assert_eq!(larger.pixels.iter().flatten().count(), 40 * 30);
+    assert_eq!(pixels(&larger).iter().flatten().count(), 40 * 30);
 }
 
 #[test]
 fn parts_put_together_are_the_whole_picture() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut whole = Panel::sized(40, 30).by_rows();
+    let mut whole = panel(SIZE).only(is_a_row);
     renderer.draw(&mut whole).unwrap();
-    let mut tiled = Panel::sized(40, 30).by_rows();
+    let mut tiled = panel(SIZE).only(is_a_row);
     // The last tiles reach over the edges of the picture.
     for (x, y) in (0..30).step_by(7).flat_map(|y| (0..40).step_by(11).map(move |x| (x, y))) {
         let part = Rectangle::new(Point::new(x, y), Size::new(11, 7));
         renderer.draw_part(&part, Point::zero(), &mut tiled).unwrap();
     }
-    assert_eq!(tiled.pixels, whole.pixels);
+    assert_eq!(pixels(&tiled), pixels(&whole));
 }
 
 #[test]
 fn a_part_outside_the_picture_draws_nothing() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut display = Panel::<Rgb565>::sized(40, 30).by_rows();
+    let mut display = panel::<Rgb565>(SIZE).only(is_a_row);
     let part = Rectangle::new(Point::new(60, 5), Size::new(4, 4));
     renderer.draw_part(&part, Point::zero(), &mut display).unwrap();
     let nothing = Rectangle::new(Point::new(3, 5), Size::new(0, 100));
     renderer.draw_part(&nothing, Point::zero(), &mut display).unwrap();
-    assert!(display.fills.is_empty());
+    assert!(display.inner().calls().is_empty());
 }
 
 #[test]
 fn a_display_that_does_not_begin_at_zero_is_drawn_from_its_own_corner() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut display = Panel::new(Rectangle::new(Point::new(-8, 5), SIZE)).by_rows();
+    let mut display = panel_of(Rectangle::new(Point::new(-8, 5), SIZE)).only(is_a_row);
     renderer.draw(&mut display).unwrap();
-    assert!(display.is_full());
+    assert!(display.inner().inner().is_full());
 }
 
 #[test]
 fn rows_and_their_bus_bytes_are_those_of_the_picture_in_any_order() {
     let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), SIZE, settings(), &mut workspace).unwrap();
-    let mut display = Panel::sized(40, 30).by_rows();
+    let mut display = panel(SIZE).only(is_a_row);
     renderer.draw(&mut display).unwrap();
     for y in [29, 0, 14, 15, 3] {
         let (mut colors, mut bytes) = ([Rgb565::BLACK; 40], [[0_u8; 2]; 40]);
         renderer.render_row(y, &mut colors).unwrap();
         renderer.render_row(y, &mut bytes).unwrap();
         for x in 0..40 {
-            let pixel = display.pixels[y as usize * 40 + x].unwrap();
+            let pixel = pixels(&display)[y as usize * 40 + x].unwrap();
             assert_eq!(colors[x], pixel);
             assert_eq!(bytes[x].as_slice(), pixel.to_be_bytes().as_ref());
         }

@@ -1,7 +1,7 @@
 //! Each way of rounding keeps the mean, leaves black and white whole, and does not care for the order in
 //! which a picture is drawn.
 
-use crate::support::{Panel, camera, scene};
+use crate::support::{camera, is_a_row, panel, pixels, scene};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -107,19 +107,19 @@ fn check_parts(settings: Settings<f32, impl Quality>) {
     let size = Size::new(61, 30);
     let mut workspace = Workspace::<f32, Gray4, 61, 2>::new();
     let mut renderer = Renderer::new(&scene(), &camera(), size, settings, &mut workspace).unwrap();
-    let mut whole = Panel::sized(61, 30).by_rows();
+    let mut whole = panel(size).only(is_a_row);
     renderer.draw(&mut whole).unwrap();
-    let mut tiled = Panel::sized(61, 30).by_rows();
+    let mut tiled = panel(size).only(is_a_row);
     // From the right to the left, so that no remainder comes along by chance.
     for (x, y) in (0..30).step_by(7).flat_map(|y| (0..61).step_by(11).rev().map(move |x| (x, y))) {
         let part = Rectangle::new(Point::new(x, y), Size::new(11, 7));
         renderer.draw_part(&part, Point::zero(), &mut tiled).unwrap();
     }
-    assert!(tiled.pixels == whole.pixels, "{:?}", settings.dither);
+    assert!(pixels(&tiled) == pixels(&whole), "{:?}", settings.dither);
     let mut row = [Gray4::BLACK; 61];
     for y in [29, 3, 17] {
         renderer.render_row(y, &mut row).unwrap();
-        let drawn = whole.pixels[y as usize * 61..].iter().take(61).map(|pixel| pixel.unwrap());
+        let drawn = pixels(&whole)[y as usize * 61..].iter().take(61).map(|pixel| pixel.unwrap());
         assert!(row.iter().copied().eq(drawn), "{:?}, row {y}", settings.dither);
     }
 }

@@ -19,17 +19,36 @@ const MOST_INSTRUCTIONS = 5e9;
 export class Pico {
   constructor({ RP2040, GPIOPinState }, elf) {
     this.elf = elf;
-    this.chip = new RP2040();
+    this.newChip = () => new RP2040();
     this.high = GPIOPinState.High;
-    this.second = new SecondCore(this.chip);
     this.panel = new St7789();
+    this.start();
+  }
+
+  /** Starts a chip that has just got power. */
+  start() {
+    this.chip = this.newChip();
+    this.second = new SecondCore(this.chip);
+    this.lit = false;
     this.faults = [];
+    /** Instructions since the start. */
+    this.executed = 0;
     /** Counted from the moment the lamp is first lit; `tracing` is what was done by its light. */
     this.counts = { instructions: 0, cycles: 0, tracing: { instructions: 0, cycles: 0 } };
     this.deepest = Infinity;
     this.connectPanel();
     this.listenToLog();
     this.load();
+  }
+
+  /**
+   * Resets the chip, wherever it is: its memory then holds whatever `random`, which answers numbers from 0 to 1, says.
+   * The panel does not notice: it keeps its picture, its window and the half of a command that it was sent.
+   */
+  reset(random) {
+    this.start();
+    const { sram } = this.chip;
+    for (let i = 0; i < sram.length; i++) sram[i] = 256 * random();
   }
 
   isHigh(pin) {
@@ -70,12 +89,26 @@ export class Pico {
   /** Runs until the panel has all pixels of one more frame and the lamp is dark; returns what the panel shows. */
   frame() {
     const goal = this.panel.written + PIXELS;
-    for (let executed = 0; this.panel.written < goal || this.lit; executed++) {
-      const lost = this.step();
-      if (lost !== undefined || this.faults.length || executed > MOST_INSTRUCTIONS) this.stuck(lost ?? this.chip.core.PC);
+    const patience = this.executed + MOST_INSTRUCTIONS;
+    while (this.panel.written < goal || this.lit) {
+      this.advance();
+      if (this.executed > patience) this.stuck(this.chip.core.PC);
     }
     this.check();
     return this.panel.picture();
+  }
+
+  /** Runs so many instructions and returns the name of the function that the last led to. */
+  run(instructions) {
+    for (const end = this.executed + instructions; this.executed < end;) this.advance();
+    return functionAt(this.elf, this.chip.core.PC);
+  }
+
+  /** Runs one instruction; one that leads nowhere, or would be a fault on the chip, is a complaint. */
+  advance() {
+    const lost = this.step();
+    this.executed++;
+    if (lost !== undefined || this.faults.length) this.stuck(lost ?? this.chip.core.PC);
   }
 
   /** Runs one instruction, and the second core as long; returns the address of one that leads nowhere, if there is one. */
@@ -112,6 +145,11 @@ export class Pico {
     const { fastest } = this.line;
     if (fastest > PANEL_HZ) throw new Complaint(`SPI clock ${fastest} Hz is faster than the panel takes`);
     if (!this.isHigh(PIN.backlight)) throw new Complaint('The backlight is off: nobody would see the picture');
+  }
+
+  /** Seconds of the board's time since counting began. */
+  get seconds() {
+    return this.counts.cycles / this.chip.clkSys;
   }
 
   /** Bytes of stack used so far. */

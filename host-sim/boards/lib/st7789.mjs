@@ -17,13 +17,15 @@ const BGR = 0x08;
 
 export class St7789 {
   constructor() {
+    // At power-up it holds anything: a pixel that nobody draws shows.
+    this.memory = Uint16Array.from({ length: WIDTH * HEIGHT }, (_, i) => Math.imul(i, 40503));
     this.reset();
     /** Pixels written since power-up. */
     this.written = 0;
   }
 
+  /** Goes back to the registers of power-up; the picture stays in memory. */
   reset() {
-    this.memory = new Uint16Array(WIDTH * HEIGHT);
     this.awake = false;
     this.on = false;
     this.inverted = false;

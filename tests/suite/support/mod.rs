@@ -4,7 +4,7 @@ pub mod picture;
 
 mod panel;
 
-pub use panel::{BusFault, Panel};
+pub use panel::{BusFault, Memory, Panel, is_a_row, memory, panel, panel_of, pixels, written};
 
 use embedded_graphics::prelude::Size;
 use scanray::render::Quality;

@@ -1,92 +1,42 @@
+use draw_faults::{Call, Canvas, Logging, Strict};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 
-/// Is a display that keeps what it was sent, accepts nothing but whole areas inside of it, and can fail.
-pub struct Panel<C> {
-    pub area: Rectangle,
-    pub pixels: Vec<Option<C>>,
-    /// The areas filled, and whether with one colour.
-    pub fills: Vec<(Rectangle, bool)>,
-    /// The fill that fails, once.
-    pub fails_at: Option<usize>,
-    rows_only: bool,
-}
-
-#[derive(Debug, PartialEq, Eq)]
+/// Is the error of every display here.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BusFault(pub usize);
 
-impl<C: PixelColor> Panel<C> {
-    pub fn new(area: Rectangle) -> Self {
-        let pixels = vec![None; (area.size.width * area.size.height) as usize];
-        Self { area, pixels, fills: Vec::new(), fails_at: None, rows_only: false }
-    }
+/// Is a display that keeps its pixels.
+pub type Memory<C> = Canvas<C, Vec<Option<C>>, BusFault>;
 
-    pub fn sized(width: u32, height: u32) -> Self {
-        Self::new(Rectangle::new(Point::zero(), Size::new(width, height)))
-    }
+/// Is a display that keeps what it was sent and how, and accepts nothing but whole areas inside of it.
+pub type Panel<C> = Strict<Logging<Memory<C>, Vec<Call>>>;
 
-    /// Accepts nothing but rows from `fill_contiguous`.
-    pub fn by_rows(mut self) -> Self {
-        self.rows_only = true;
-        self
-    }
-
-    pub fn is_full(&self) -> bool {
-        self.pixels.iter().all(Option::is_some)
-    }
-
-    /// Answers how many pixels were sent.
-    pub fn written(&self) -> u32 {
-        self.fills.iter().map(|(area, _)| area.size.width * area.size.height).sum()
-    }
-
-    fn fill(
-        &mut self,
-        area: &Rectangle,
-        colors: impl IntoIterator<Item = C>,
-        solid: bool,
-    ) -> Result<(), BusFault> {
-        if self.fails_at == Some(self.fills.len()) {
-            self.fails_at = None;
-            return Err(BusFault(self.fills.len()));
-        }
-        assert!(!self.rows_only || area.size.height == 1 && !solid, "not a row");
-        assert!(!area.is_zero_sized() && area.intersection(&self.area) == *area, "{area:?}");
-        self.fills.push((*area, solid));
-        let mut colors = colors.into_iter();
-        for point in area.points() {
-            let place = point - self.area.top_left;
-            let place = place.y as usize * self.area.size.width as usize + place.x as usize;
-            self.pixels[place] = Some(colors.next().expect("a colour for each pixel"));
-        }
-        assert!(solid || colors.next().is_none(), "more colours than pixels");
-        Ok(())
-    }
+/// Makes a panel that begins at zero.
+pub fn panel<C: PixelColor>(size: Size) -> Panel<C> {
+    panel_of(Rectangle::new(Point::zero(), size))
 }
 
-impl<C> Dimensions for Panel<C> {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
+pub fn panel_of<C: PixelColor>(area: Rectangle) -> Panel<C> {
+    Strict::new(Logging::new(memory(area), Vec::new())).only(|call| *call != Call::Pixels)
 }
 
-impl<C: PixelColor> DrawTarget for Panel<C> {
-    type Color = C;
-    type Error = BusFault;
+pub fn memory<C: PixelColor>(area: Rectangle) -> Memory<C> {
+    Canvas::new(area, vec![None; (area.size.width * area.size.height) as usize])
+}
 
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, _: I) -> Result<(), BusFault> {
-        panic!("pixels were drawn one by one");
-    }
+/// Tells whether a call is one row of pixels.
+pub fn is_a_row(call: &Call) -> bool {
+    matches!(call, Call::Contiguous(area) if area.size.height == 1)
+}
 
-    fn fill_contiguous<I: IntoIterator<Item = C>>(
-        &mut self,
-        area: &Rectangle,
-        colors: I,
-    ) -> Result<(), BusFault> {
-        self.fill(area, colors, false)
-    }
+/// Answers the pixels of a panel, row by row.
+pub fn pixels<C: PixelColor>(panel: &Panel<C>) -> &[Option<C>] {
+    panel.inner().inner().pixels()
+}
 
-    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), BusFault> {
-        self.fill(area, std::iter::repeat(color), true)
-    }
+/// Answers how many pixels were sent.
+pub fn written<C: PixelColor>(panel: &Panel<C>) -> u32 {
+    let areas = panel.inner().calls().iter().filter_map(Call::area);
+    areas.map(|area| area.size.width * area.size.height).sum()
 }
