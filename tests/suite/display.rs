@@ -1,12 +1,15 @@
 //! How pictures reach a display.
 
-use crate::support::{camera, is_a_row, panel, panel_of, pixels, scene};
-use draw_faults::Call;
+use crate::support::{BusFault, Memory, camera, is_a_row, memory, panel, panel_of, pixels, scene};
+use draw_faults::{Call, Once, Strict};
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use scanray::{RenderError, Renderer, RowError, Settings, Workspace};
+use scanray::{
+    Adaptive, AtEdges, Exact, Jittered, Progress, Quality, RasterRenderer, RasterWorkspace, RenderError,
+    Renderer, RowError, Settings, Uniform, Workspace,
+};
 
 const SIZE: Size = Size::new(40, 30);
 
@@ -24,6 +27,39 @@ fn a_picture_is_one_fill_a_row_from_top_to_bottom() {
     let row = |y| Rectangle::new(Point::new(0, y), Size::new(40, 1));
     let rows: Vec<_> = (0..30).map(|y| Call::Contiguous(row(y))).collect();
     assert_eq!(*display.inner().calls(), rows);
+}
+
+#[test]
+fn every_way_of_drawing_writes_every_pixel_exactly_once() {
+    fn check(size: Size, quality: impl Quality) {
+        let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
+        let settings = settings().with_quality(quality);
+        let mut renderer = Renderer::new(&scene(), &camera(), size, settings, &mut workspace).unwrap();
+        once(size, |display| renderer.draw(display));
+    }
+    fn once(size: Size, draw: impl FnOnce(&mut Watched) -> Result<(), BusFault>) {
+        let canvas = memory(Rectangle::new(Point::new(-7, 11), size));
+        let mut display = Strict::new(Once::new(canvas, vec![false; (size.width * size.height) as usize]));
+        draw(&mut display).unwrap();
+        display.inner().assert_complete();
+    }
+    type Watched = Strict<Once<Memory<Rgb565>, Vec<bool>>>;
+    for size in [SIZE, Size::new(1, 1), Size::new(37, 3), Size::new(8, 21)] {
+        check(size, Exact);
+        check(size, Adaptive);
+        check(size, Jittered(2));
+        check(size, AtEdges(Uniform(2)));
+        let mut workspace = RasterWorkspace::<f32, 40>::new();
+        let mut raster = RasterRenderer::new(&scene(), &camera(), size, settings(), &mut workspace).unwrap();
+        once(size, |display| raster.draw(display));
+        let mut workspace = Workspace::<f32, Rgb565, 40, 2>::new();
+        let mut renderer = Renderer::new(&scene(), &camera(), size, settings(), &mut workspace).unwrap();
+        let mut progress = Progress::new(1);
+        once(size, |display| {
+            while renderer.refine(&mut progress, display)? {}
+            Ok(())
+        });
+    }
 }
 
 #[test]
