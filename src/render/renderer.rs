@@ -134,6 +134,14 @@ fn faintest<S: Scalar, X: Intersect<S>>(scene: &Scene<'_, S, X>, depth: u8) -> S
     S::SKIN * (mirrors * scene.brightest()).recip()
 }
 
+/// Answers what of a stretch of so many pixels lies among the first so many: [`Rectangle::intersection`] panics
+/// where a rectangle reaches beyond 2^31.
+fn within(start: i32, length: u32, end: u32) -> Range<u32> {
+    let start = i64::from(start);
+    let inside = |at: i64| u32::try_from(at.max(0)).unwrap_or(end).min(end);
+    inside(start)..inside(start.saturating_add(i64::from(length)))
+}
+
 impl<S, C, const WIDTH: usize, const DEPTH: usize, X, Q> Renderer<'_, '_, S, C, WIDTH, DEPTH, X, Q>
 where
     S: Scalar,
@@ -187,19 +195,20 @@ where
         observer: &mut impl Observer,
     ) -> Result<(), D::Error> {
         const { assert!(WIDTH > 0, "drawing needs a workspace with room for a row") };
-        let part = part.intersection(&Rectangle::new(Point::zero(), self.picture.size));
-        if part.is_zero_sized() {
+        let Size { width, height } = self.picture.size;
+        let columns = within(part.top_left.x, part.size.width, width);
+        let rows = within(part.top_left.y, part.size.height, height);
+        if columns.is_empty() {
             return Ok(());
         }
-        let Point { x: left, y: top } = part.top_left;
-        let columns = left as u32..left as u32 + part.size.width;
         let Workspace { scanline, scratch } = &mut *self.workspace;
         // No row is longer than WIDTH: `new` has seen to it.
         let (pixels, _) = scanline.split_at_mut(columns.len().min(WIDTH));
-        for y in top as u32..top as u32 + part.size.height {
+        for y in rows {
             self.picture.encode_row(scratch, y, columns.clone(), pixels, observer);
-            let place = Point::new(left.saturating_add(corner.x), corner.y.saturating_add(y as i32));
-            let row = Rectangle::new(place, Size::new(part.size.width, 1));
+            let place =
+                [(corner.x, columns.start), (corner.y, y)].map(|(to, at)| to.saturating_add(at as i32));
+            let row = Rectangle::new(place.into(), Size::new(columns.len() as u32, 1));
             target.fill_contiguous(&row, pixels.iter().copied())?;
         }
         Ok(())
