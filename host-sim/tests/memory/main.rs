@@ -13,7 +13,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 
 /// Is how many bytes a byte of a text may take: `f 1 1 1 1 ...` is a triangle of 240 bytes for every two, and the
 /// list of them is twice as long while it grows.
-const A_BYTE: usize = 1000;
+const A_BYTE: usize = 200;
 
 /// Is what any file may take beside.
 const ANY: usize = 1 << 20;

@@ -19,6 +19,7 @@ mod shelf;
 mod surfaces;
 mod tally;
 mod values;
+mod watch;
 
 use dice::Dice;
 use host_sim::scenes::HostNumber;
@@ -33,11 +34,12 @@ use tally::Tally;
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// Makes and draws the scenes of these numbers and counts what became of them.
-fn run<S: HostNumber>(numbers: std::ops::Range<u64>) -> Tally {
+fn run<S: HostNumber>(name: &'static str, numbers: std::ops::Range<u64>) -> Tally {
     let shelf = Shelf::<S>::stocked(&mut Dice::of(0));
     let try_one = |number: u64| {
         let start = Instant::now();
-        let end = catch_unwind(AssertUnwindSafe(|| draw::scene(&shelf, &mut Dice::of(number))));
+        let draw = || catch_unwind(AssertUnwindSafe(|| draw::scene(&shelf, &mut Dice::of(number))));
+        let end = watch::timed(name, number, PATIENCE, draw);
         Tally::of(number, &end, start.elapsed())
     };
     numbers.into_par_iter().map(try_one).reduce(Tally::default, Tally::and)
@@ -53,12 +55,12 @@ fn assert_sound(tally: &Tally) {
 
 #[test]
 fn any_scene_in_f32_is_refused_or_drawn() {
-    assert_sound(&run::<f32>(0..4000));
+    assert_sound(&run::<f32>("f32", 0..4000));
 }
 
 #[test]
 fn any_scene_in_fixed_point_is_refused_or_drawn() {
-    assert_sound(&run::<Fixed>(0..4000));
+    assert_sound(&run::<Fixed>("fixed", 0..4000));
 }
 
 #[test]
@@ -66,8 +68,8 @@ fn any_scene_in_fixed_point_is_refused_or_drawn() {
 fn a_million_scenes_are_refused_or_drawn() {
     let asked = std::env::var("SCANRAY_SCENES").ok().and_then(|text| text.parse().ok());
     let half = asked.unwrap_or(1_000_000_u64) / 2;
-    for (name, run) in [("f32", run::<f32> as fn(_) -> Tally), ("fixed", run::<Fixed>)] {
-        let tally = run(0..half);
+    for (name, run) in [("f32", run::<f32> as fn(&'static str, _) -> Tally), ("fixed", run::<Fixed>)] {
+        let tally = run(name, 0..half);
         println!("{name}: {tally}");
         assert_sound(&tally);
     }
