@@ -43,7 +43,7 @@ pub struct Material<S = f32> {
     pub bump: Option<Bump<S>>,
     /// Reflection model.
     pub model: Model<S>,
-    /// Share of the scene's ambient light it reflects.
+    /// Share of the scene's ambient light it reflects, from 0 to 1024 as light is.
     pub ambient: S,
     /// Colour of the specular reflection; black for none.
     pub specular: Rgb<S>,
@@ -150,7 +150,8 @@ impl<S: Scalar> Material<S> {
         if let Model::CookTorrance(facets) = &self.model {
             facets.check()?;
         }
-        let usable = self.texture.in_range() && self.ambient.in_range() && self.specular.in_range();
+        let ambient = Rgb::gray(self.ambient);
+        let usable = self.texture.in_range() && ambient.in_range() && self.specular.in_range();
         let images = [self.texture.image(), self.bump.as_ref().map(|bump| &bump.image)];
         if !usable || self.bump.is_some_and(|bump| !bump.in_range()) {
             Err(Fault::OutOfRange)

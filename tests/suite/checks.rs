@@ -121,6 +121,8 @@ fn faults_of_materials_lights_sky_and_ambient_light_are_named() {
         Material::matte(Rgb::gray(1e15)),
         Material::matte(Rgb::BLACK).with_specular(nan, 5),
         Material::matte(Rgb::BLACK).with_ambient(f32::INFINITY),
+        Material::matte(Rgb::BLACK).with_ambient(-0.1),
+        Material::matte(Rgb::BLACK).with_ambient(1025.0),
         Material::textured(Texture::Checker(Checker::new(Rgb::BLACK, nan, 1.0))),
         Material::textured(Texture::Vertices(Vertices::new(Rgb::BLACK, Rgb::WHITE, nan))),
     ] {

@@ -8,6 +8,9 @@ use scanray::{Bitmap, Model};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+/// Is how many materials the libraries of a file may have together.
+pub const MAX_MATERIALS: usize = 1 << 16;
+
 /// Holds the materials of a model's libraries.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
@@ -15,6 +18,8 @@ pub struct Library {
     pub materials: Vec<tobj::Material>,
     /// As they are drawn, one for each of these.
     pub paints: Vec<Paint>,
+    /// Where the last material of a name is.
+    places: HashMap<String, usize>,
     /// The images that have been read, by where they are.
     images: HashMap<PathBuf, Bitmap>,
 }
@@ -22,7 +27,7 @@ pub struct Library {
 impl Library {
     /// Answers the last material of a name.
     pub fn find(&self, name: &str) -> Option<usize> {
-        self.materials.iter().rposition(|material| material.name == name)
+        self.places.get(name).copied()
     }
 
     /// Takes the materials of a file.
@@ -31,8 +36,13 @@ impl Library {
     /// The first mistake in it, or in an image that it names.
     pub fn read(&mut self, path: &Path, text: &str) -> Result<(), Mistake> {
         let mut checked = String::new();
+        let mut begun = self.materials.len();
         for (index, line) in text.lines().enumerate() {
             let line = line.split('#').next().unwrap_or_default().trim();
+            begun += usize::from(line.split_whitespace().next() == Some("newmtl"));
+            if begun > MAX_MATERIALS {
+                return Err(Reason::TooMany { what: "materials", most: MAX_MATERIALS }.at(path, index + 1));
+            }
             check(line, &mut checked).map_err(|reason| reason.at(path, index + 1))?;
         }
         let read = tobj::load_mtl_buf(&mut checked.as_bytes());
@@ -44,6 +54,7 @@ impl Library {
                 None => None,
             };
             self.paints.push(paint(&material, image));
+            self.places.insert(material.name.clone(), self.materials.len());
             self.materials.push(material);
         }
         Ok(())

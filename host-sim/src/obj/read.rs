@@ -10,7 +10,7 @@ use std::io::Read;
 use std::path::Path;
 use tobj::LoadOptions;
 
-/// Is the largest file that is read, in bytes.
+/// Is the largest file that is read, in bytes; all libraries of a file together are no larger.
 pub const MAX_BYTES: u64 = 1 << 26;
 
 /// Reads a file, its libraries and their images.
@@ -32,6 +32,7 @@ pub fn parse(
 ) -> Result<Model, Mistake> {
     let survey = survey(path, text)?;
     let mut library = Library::default();
+    let mut room = MAX_BYTES;
     let folder = path.parent().unwrap_or(Path::new(""));
     for (name, line) in &survey.libraries {
         let library_path = folder.join(name.replace('\\', "/"));
@@ -40,6 +41,10 @@ pub fn parse(
             Reason::Io(error) => Reason::Library(name.clone(), error).at(path, *line),
             _ => mistake,
         })?;
+        // One file may be named in many ways, and is read each time.
+        let left = room.checked_sub(text.len() as u64);
+        let too_many = Reason::TooMany { what: "bytes in its libraries", most: MAX_BYTES as usize };
+        room = left.ok_or_else(|| too_many.at(path, *line))?;
         library.read(&library_path, &text)?;
     }
     for Run { material, line, .. } in &survey.runs {
@@ -93,11 +98,14 @@ fn parts(survey: &Survey, library: &Library) -> Result<Vec<Part>, tobj::LoadErro
         Ok((library.materials.clone(), names.clone()))
     })?;
     let mut parts: Vec<Part> = vec![];
+    // Where the part of a material is: files change the material up to 65536 times.
+    let mut places: HashMap<usize, usize> = HashMap::new();
     let runs = survey.runs.iter().filter(|run| run.corners > 0);
     for (model, run) in models.iter().zip(runs) {
         let material = model.mesh.material_id.unwrap_or(library.materials.len());
         let triangles = triangles(&model.mesh, run);
-        match parts.iter_mut().find(|part| part.material == material) {
+        let place = *places.entry(material).or_insert(parts.len());
+        match parts.get_mut(place) {
             Some(part) => part.triangles.extend(triangles),
             None => parts.push(Part { material, triangles }),
         }

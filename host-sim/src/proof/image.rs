@@ -22,7 +22,8 @@ pub(super) fn build(chip: &Chip, number: Number, planted: bool) -> Result<Image,
 /// Counts the bytes of an image's code.
 pub(super) fn code_bytes(image: &Image) -> Result<u64, Failure> {
     let bytes = image.read()?;
-    let file = File::parse(&*bytes).map_err(|error| Failure::File(image.path.to_path_buf(), error.to_string()))?;
+    let file =
+        File::parse(&*bytes).map_err(|error| Failure::File(image.path.to_path_buf(), error.to_string()))?;
     let code = file.sections().filter(|section| section.kind() == SectionKind::Text);
     Ok(code.map(|section| section.size()).sum())
 }

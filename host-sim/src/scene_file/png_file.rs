@@ -10,7 +10,7 @@ use image::{ColorType, ExtendedColorType, ImageDecoder, ImageError, ImageFormat,
 use scanray::{Bitmap, Texels};
 use std::fmt;
 use std::fs::{self, File};
-use std::io::{self, BufReader};
+use std::io::{self, BufRead, BufReader, Seek};
 use std::path::Path;
 
 /// Is how many texels all images of a scene may have together: eight of the largest, 96 MiB.
@@ -84,7 +84,20 @@ pub(super) static UNREAD: &dyn Texels = &Pixels { size: [0, 0], levels: vec![] }
 /// # Errors
 /// What is wrong with it; of one that is too large no more than the header has been read.
 pub fn read(path: &Path, most_texels: u32) -> Result<Bitmap, Unreadable> {
-    let decoder = open(path)?;
+    // Whoever opens a pipe waits for a writer: look first.
+    if !fs::metadata(path).map_err(withheld)?.is_file() {
+        return Err(Unreadable::NotAFile);
+    }
+    let file = File::open(path).map_err(withheld)?;
+    decode(BufReader::new(file), most_texels)
+}
+
+/// Decodes an image as [`read`] does.
+///
+/// # Errors
+/// As there.
+pub fn decode(file: impl BufRead + Seek, most_texels: u32) -> Result<Bitmap, Unreadable> {
+    let decoder = begin(file)?;
     let (columns, rows) = decoder.dimensions();
     if columns * rows > most_texels {
         return Err(Unreadable::TooMany);
@@ -100,18 +113,13 @@ pub fn read(path: &Path, most_texels: u32) -> Result<Bitmap, Unreadable> {
     Ok(Bitmap::new(Box::leak(Box::new(Pixels { size: [columns, rows], levels: levels(bytes) }))))
 }
 
-/// Opens an image of at most [`Bitmap::LARGEST`] columns and rows and reads its header.
-fn open(path: &Path) -> Result<PngDecoder<BufReader<File>>, Unreadable> {
-    // Whoever opens a pipe waits for a writer: look first.
-    if !fs::metadata(path).map_err(withheld)?.is_file() {
-        return Err(Unreadable::NotAFile);
-    }
-    let file = File::open(path).map_err(withheld)?;
+/// Reads the header of an image of at most [`Bitmap::LARGEST`] columns and rows.
+fn begin<R: BufRead + Seek>(file: R) -> Result<PngDecoder<R>, Unreadable> {
     let mut limits = Limits::default();
     limits.max_image_width = Some(Bitmap::LARGEST);
     limits.max_image_height = Some(Bitmap::LARGEST);
     limits.max_alloc = Some(DECODER_BYTES);
-    PngDecoder::with_limits(BufReader::new(file), limits).map_err(broken)
+    PngDecoder::with_limits(file, limits).map_err(broken)
 }
 
 fn withheld(error: io::Error) -> Unreadable {
