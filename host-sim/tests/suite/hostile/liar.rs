@@ -6,7 +6,7 @@ use scanray::hit::{Crossing, Surface};
 use scanray::ray::{Interval, Ray};
 use scanray::{Intersect, Scalar, Vec3};
 
-/// Is met wherever and however it says, though no such surface can be.
+/// Is met wherever and however it says, though no such surface can be; but no farther than it is asked.
 #[derive(Clone, Copy, Debug)]
 pub struct Liar<S> {
     t: S,
@@ -23,8 +23,8 @@ impl<S: Rounded> Liar<S> {
 }
 
 impl<S: Scalar> Intersect<S> for Liar<S> {
-    fn intersect(&self, _: &Ray<S>, _: &Interval<S>) -> Option<Crossing<S>> {
-        Some(Crossing { part: self.part, ..Crossing::at(self.t) })
+    fn intersect(&self, _: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        interval.contains(self.t).then_some(Crossing { part: self.part, ..Crossing::at(self.t) })
     }
 
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {

@@ -11,15 +11,21 @@ static BUSY: Mutex<BTreeMap<(&str, u64), Instant>> = Mutex::new(BTreeMap::new())
 static WATCHING: Once = Once::new();
 
 fn busy(change: impl FnOnce(&mut BTreeMap<(&'static str, u64), Instant>)) {
-    BUSY.lock().map_or((), |mut busy| change(&mut busy));
+    if let Ok(mut busy) = BUSY.lock() {
+        change(&mut busy);
+    }
 }
 
 /// Does something to a scene that may not take longer than this.
 pub fn timed<T>(name: &'static str, number: u64, most: Duration, work: impl FnOnce() -> T) -> T {
     WATCHING.call_once(|| drop(thread::spawn(move || watch(most))));
-    busy(|busy| drop(busy.insert((name, number), Instant::now())));
+    busy(|busy| {
+        busy.insert((name, number), Instant::now());
+    });
     let done = work();
-    busy(|busy| drop(busy.remove(&(name, number))));
+    busy(|busy| {
+        busy.remove(&(name, number));
+    });
     done
 }
 
