@@ -20,13 +20,13 @@ impl Canvas {
 
     /// Tells whether the pixels of a picture in the upper left corner were written so often and no others were.
     pub fn holds(&self, [columns, rows]: [u32; 2], once: impl Fn(u16) -> bool) -> bool {
-        let counts =
+        let mut counts =
             self.writes.iter().enumerate().flat_map(|(y, row)| row.iter().enumerate().map(move |p| (y, p)));
         let is_right = |(y, (x, count)): (usize, (usize, &u16))| {
             let inside = x < columns as usize && y < rows as usize;
             if inside { once(*count) } else { *count == 0 }
         };
-        self.outside == 0 && counts.map(is_right).all(|right| right)
+        self.outside == 0 && counts.all(is_right)
     }
 }
 

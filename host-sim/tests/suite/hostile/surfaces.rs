@@ -11,8 +11,9 @@ use scanray::{
 
 /// Is a texture of a user's that answers with no light a scene may hold.
 fn wild<S: Scalar>(surface: &Surface<S>) -> Rgb<S> {
+    // Infinity where the number has it, and then no number.
     let far = surface.u.ratio(S::ZERO) * S::FAR;
-    Rgb::new(far - far, -far, surface.v.recip())
+    Rgb::new(far * S::ZERO, -far, surface.v.recip())
 }
 
 pub fn image<S: Rounded>(values: &mut Values<S>, shelf: &Shelf<S>) -> Image<S> {

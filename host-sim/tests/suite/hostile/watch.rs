@@ -33,7 +33,8 @@ fn watch(most: Duration) {
     loop {
         thread::sleep(Duration::from_secs(1));
         busy(|busy| {
-            for ((name, number), begun) in busy.iter().filter(|(_, begun)| begun.elapsed() > most) {
+            let late = busy.iter().find(|(_, begun)| begun.elapsed() > most);
+            if let Some(((name, number), begun)) = late {
                 eprintln!("{name}: scene {number} is not done after {:?}", begun.elapsed());
                 std::process::exit(1);
             }
