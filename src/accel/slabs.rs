@@ -23,50 +23,56 @@ const STRAY: i32 = 32;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slabs {
     slabs: [Slab; 3],
-    /// Distance up to which the ray looks, in units from where it enters the cube.
+    /// Distance up to which the ray looks, in units from where it enters the cube, and [`SLACK`] more.
     far: i32,
 }
 
 /// Is how a ray goes along one axis.
 #[derive(Clone, Copy, Debug)]
 struct Slab {
-    /// Steps from which the ways to the first and to the last side of a box are counted.
-    starts: [i32; 2],
-    /// Units of distance in a step, times 2^`shift`: from 2^13 to 2^14, negative towards lower coordinates.
+    /// Step from which the way to the first side of a box is counted.
+    enter: i32,
+    /// Step from which the way to the last side is counted.
+    leave: i32,
+    /// Units of distance in a step, times 2^`shift`: from 2^13 to 2^14, negative toward lower coordinates.
     pace: i32,
     shift: u32,
-    /// Which corner is met first: 0 for the lowest, 1 for the highest.
-    first: usize,
 }
 
 impl Slab {
     /// Is of a ray of which so little is known that no box is left out.
-    const BLIND: Self = Self { starts: [SIDE, -STRAY], pace: 1 << 13, shift: 0, first: 0 };
+    const BLIND: Self = Self { enter: SIDE, leave: -STRAY, pace: 1 << 13, shift: 0 };
 
     fn new<S: Scalar>(start: S, slope: S) -> Self {
         // A cube as small as a ray's rounding at its distance is entered from more than half a side away.
-        let bits = (start + S::ONE).light_bits();
-        let Ok(place @ 0x8001..0x2_8000) = i32::try_from(bits.saturating_add(0x80) >> 8) else {
-            return Self::BLIND;
-        };
-        let origin = place - SIDE;
+        let place = (start + S::ONE).light_bits().saturating_add(0x80) >> 8;
+        let Ok(place @ 0x8001..0x2_8000) = i32::try_from(place) else { return Self::BLIND };
+        let origin = place.wrapping_sub(SIDE);
         let bits = slope.abs().light_bits();
         if bits < LEAST_SLOPE {
-            return Self { starts: [origin + STRAY, origin - STRAY], pace: 1 << 13, shift: 0, first: 0 };
+            let [enter, leave] = [origin.wrapping_add(STRAY), origin.wrapping_sub(STRAY)];
+            return Self { enter, leave, pace: 1 << 13, shift: 0 };
         }
         let zeros = bits.leading_zeros();
-        let pace = (i32::from(rough_reciprocal(bits << zeros)) + 2) >> 2;
-        let shift = 21_u32.saturating_sub(zeros);
-        let back = slope < S::ZERO;
-        let pace = if back { -pace } else { pace };
-        Self { starts: [origin; 2], pace, shift, first: usize::from(back) }
+        let pace = i32::from(rough_reciprocal(bits.wrapping_shl(zeros))).wrapping_add(2) >> 2;
+        let pace = if slope < S::ZERO { pace.wrapping_neg() } else { pace };
+        Self { enter: origin, leave: origin, pace, shift: 21_u32.saturating_sub(zeros) }
     }
 
-    /// Answers the distances at which the ray passes both sides of a box.
+    fn descends(&self) -> bool {
+        self.pace < 0
+    }
+
+    /// Answers the distances at which the ray passes the sides of a box, in the order in which it does.
+    ///
+    /// Steps from a start are fewer than 2^17, so that no product is too long.
     #[inline(always)]
-    fn passes(&self, bounds: &Steps, axis: usize) -> [i32; 2] {
-        let sides = [self.first, self.first ^ 1].map(|corner| i32::from(bounds[corner & 1][axis]));
-        [0, 1].map(|side| ((sides[side] - self.starts[side]) * self.pace) >> self.shift)
+    fn passes(&self, low: u16, high: u16) -> (i32, i32) {
+        let (first, last) = if self.descends() { (high, low) } else { (low, high) };
+        let pass = |side: u16, start: i32| {
+            i32::from(side).wrapping_sub(start).wrapping_mul(self.pace).wrapping_shr(self.shift)
+        };
+        (pass(first, self.enter), pass(last, self.leave))
     }
 }
 
@@ -83,23 +89,24 @@ impl Slabs {
     /// Moves the far end, given as a distance from the ray's start.
     pub fn look_up_to<S: Scalar>(&mut self, entry: &Entry<S>, far: S) {
         let two = S::ONE + S::ONE;
-        // Rounded up; no way through the cube is as long as two sides.
-        self.far = (entry.sides_to(far).min(two).light_bits() >> 8) as i32 + 1;
+        // Rounded up, and as far beyond as boxes may be off; no way through the cube is as long as two sides.
+        let units = entry.sides_to(far).min(two).light_bits() >> 8;
+        self.far = (units as i32).wrapping_add(1 + SLACK);
     }
 
     /// Tells whether the ray goes toward lower coordinates along an axis.
     pub fn descends(&self, axis: usize) -> bool {
-        self.slabs.get(axis).is_some_and(|slab| slab.first == 1)
+        self.slabs.get(axis).is_some_and(Slab::descends)
     }
 
     /// Tells whether the ray meets a box before its far end.
     #[inline(always)]
-    pub fn meets(&self, bounds: &Steps) -> bool {
-        let (mut near, mut far) = (0, self.far + SLACK);
-        for (axis, slab) in self.slabs.iter().enumerate() {
-            let [enters, leaves] = slab.passes(bounds, axis);
+    pub fn meets(&self, [low, high]: &Steps) -> bool {
+        let (mut near, mut far) = (0, self.far);
+        for ((slab, low), high) in self.slabs.iter().zip(low).zip(high) {
+            let (enters, leaves) = slab.passes(*low, *high);
             near = near.max(enters);
-            far = far.min(leaves + SLACK);
+            far = far.min(leaves.saturating_add(SLACK));
             if near > far {
                 return false;
             }
