@@ -76,7 +76,9 @@ impl<S: Scalar> Course<S> {
             enter = enter.max(to_low.min(to_high));
             leave = leave.min(to_low.max(to_high));
         }
-        if enter >= leave {
+        // What is no number is nowhere.
+        let meets = enter < leave;
+        if !meets {
             return None;
         }
         let spacing = grid.spacing.to_array();
@@ -139,7 +141,9 @@ impl<S: Scalar> Iterator for Partition<S> {
     type Item = Piece<S>;
 
     fn next(&mut self) -> Option<Piece<S>> {
-        if self.at >= self.leave {
+        // A way to what is no number would never end.
+        let goes_on = self.at < self.leave;
+        if !goes_on {
             return None;
         }
         let cell = self.axes.map(|axis| axis.cell);
@@ -218,5 +222,19 @@ mod tests {
         let ends: [Option<[f64; 2]>; 4] =
             core::array::from_fn(|_| parts.next().map(|part| [part.from, part.to]));
         assert_eq!(ends, [Some([2.0, 2.5]), Some([2.5, 3.0]), Some([3.0, 3.5]), None]);
+    }
+
+    #[test]
+    fn ways_that_are_no_numbers_end() {
+        let grid = Grid::new(Voxels::new([6, 5, 4], &VALUES), Vec3::ZERO, Vec3::new(0.5, 1.0, 0.25));
+        for (at, to) in [(f32::NAN, 1.0), (1.0, f32::NAN), (f32::INFINITY, f32::NAN), (1e38, 1e-38)] {
+            let ray = Ray::new(Vec3::new(at, 1.0, 0.5), Vec3::new(to, 0.1, 0.1));
+            for far in [1e18, f32::INFINITY, f32::NAN] {
+                let course = Course::of(&grid, &ray, &Interval::new(0.0, far));
+                assert!(course.is_none_or(|course| course.pieces(&grid, &ray).take(100).count() < 100));
+            }
+            let lost = Course { enter: at, leave: to, start: [at; 3], rate: [to; 3] };
+            assert!(lost.pieces(&grid, &ray).take(100).count() < 100, "{lost:?}");
+        }
     }
 }
