@@ -19,7 +19,7 @@ pub struct Choice<'a> {
     pub scene: Option<&'a str>,
     /// The only chip.
     pub chip: Option<&'static Chip>,
-    /// Whether a sample is enough: [`WHOLE`] in every mode on every chip, each other scene on one chip.
+    /// Whether a sample is enough: three-spheres in every mode on every chip, each other scene on one chip.
     pub sample: bool,
 }
 
