@@ -71,8 +71,8 @@ fn run_here(args: &HierarchiesArgs, kinds: &[Accel], out: &mut impl Write) -> Re
     writeln!(
         out,
         "Means over rays from all around, each of which looks for the nearest thing. Operations are sums,\n\
-         products, quotients and roots, those of the things asked included; times are those of f32 on this\n\
-         computer."
+         products, quotients and roots of the number, those of the things asked included; those in whole numbers,\n\
+         by which the tree of boxes asks its boxes, are not. Times are those of f32 on this computer."
     )?;
     if let Some(path) = &args.output {
         report::line(out, "file", path.display())?;

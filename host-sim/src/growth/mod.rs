@@ -39,7 +39,8 @@ pub struct Sample {
     pub build: Duration,
     /// How many things a ray asks, on average.
     pub asked: f64,
-    /// Sums, products, quotients and roots for a ray, those of the things that it asks included.
+    /// Sums, products, quotients and roots of the number for a ray, those of the things that it asks included: not the
+    /// whole numbers in which the tree of boxes asks its boxes.
     pub operations: f64,
     /// Time for a ray in `f32` on this computer.
     pub time: Duration,

@@ -29,7 +29,7 @@ fn color(accel: Accel) -> Rgb888 {
     }
 }
 
-/// Draws the operations of a ray against the number of things, both by powers of ten, a diagram for each
+/// Draws the time of a ray in `f32` against the number of things, both by powers of ten, a diagram for each
 /// crowd.
 pub fn plot(samples: &[Sample]) -> Picture {
     let diagrams: Vec<Diagram<'_>> = Crowd::ALL.iter().map(|crowd| Diagram::new(*crowd, samples)).collect();
@@ -55,6 +55,11 @@ struct Diagram<'s> {
     powers: [[i32; 2]; 2],
 }
 
+/// Answers the time of a ray, in nanoseconds: of one above 0 there is a logarithm.
+fn nanoseconds(sample: &Sample) -> f64 {
+    (sample.time.as_nanos() as f64).max(1.0)
+}
+
 impl<'s> Diagram<'s> {
     fn new(crowd: Crowd, samples: &'s [Sample]) -> Self {
         let samples: Vec<&Sample> = samples.iter().filter(|sample| sample.crowd == crowd).collect();
@@ -65,8 +70,8 @@ impl<'s> Diagram<'s> {
             [low, (high.log10().ceil() as i32).max(low + 1)]
         };
         let things = samples.iter().map(|sample| sample.things as f64).collect();
-        let operations = samples.iter().map(|sample| sample.operations.max(1.0)).collect();
-        Self { crowd, powers: [range(things), range(operations)], samples }
+        let times = samples.iter().map(|sample| nanoseconds(sample)).collect();
+        Self { crowd, powers: [range(things), range(times)], samples }
     }
 
     /// Answers a value's place in the field, from 0 at its lower left corner, in pixels.
@@ -75,14 +80,14 @@ impl<'s> Diagram<'s> {
         (value.log10() - low) / (high - low) * f64::from(FIELD[axis])
     }
 
-    fn place(&self, things: f64, operations: f64) -> [f64; 2] {
-        [self.along(0, things), f64::from(FIELD[1]) - self.along(1, operations)]
+    fn place(&self, things: f64, time: f64) -> [f64; 2] {
+        [self.along(0, things), f64::from(FIELD[1]) - self.along(1, time)]
     }
 
     /// Answers the samples of a kind, from few things to many.
     fn curve(&self, accel: Accel) -> impl Iterator<Item = [f64; 2]> + '_ {
         let samples = self.samples.iter().filter(move |sample| sample.accel == accel);
-        samples.map(|sample| self.place(sample.things as f64, sample.operations.max(1.0)))
+        samples.map(|sample| self.place(sample.things as f64, nanoseconds(sample)))
     }
 
     /// Answers the powers of ten of an axis.
@@ -104,7 +109,7 @@ impl<'s> Diagram<'s> {
         for x in self.tens(0).map(|things| self.along(0, things)) {
             line([x, 0.0], [x, height], GRID, 4);
         }
-        for y in self.tens(1).map(|operations| height - self.along(1, operations)) {
+        for y in self.tens(1).map(|time| height - self.along(1, time)) {
             line([0.0, y], [width, y], GRID, 4);
         }
         for accel in Accel::ALL {
@@ -127,14 +132,14 @@ impl<'s> Diagram<'s> {
             let style = MonoTextStyle::new(&FONT_6X10, color);
             let Ok(_) = Text::with_alignment(text, corner + Point::new(x, y), style, alignment).draw(page);
         };
-        text("operations for a ray", -MARGIN[0] + 8, -22, INK, Alignment::Left);
+        text("nanoseconds for a ray", -MARGIN[0] + 8, -22, INK, Alignment::Left);
         text(self.crowd.name(), width / 2, height + 32, INK, Alignment::Center);
         for things in self.tens(0) {
             text(&short(things), self.along(0, things) as i32, height + 16, INK, Alignment::Center);
         }
-        for operations in self.tens(1) {
-            let y = height - self.along(1, operations) as i32;
-            text(&short(operations), -8, y + 3, INK, Alignment::Right);
+        for time in self.tens(1) {
+            let y = height - self.along(1, time) as i32;
+            text(&short(time), -8, y + 3, INK, Alignment::Right);
         }
         for (accel, y) in apart(self.ends()) {
             text(accel.name(), width + 6, y + 3, color(accel), Alignment::Left);
