@@ -24,7 +24,7 @@ const fn lines() -> [u32; 64] {
     table
 }
 
-/// Answers 2^15 / x for x = `m` / 2^32, where `m` is at least 2^31, within 5e-5 relative: in 15 instructions.
+/// Answers 2^15 / x for x = `m` / 2^32, where `m` is at least 2^31, within 5e-5 relative.
 #[inline(always)]
 pub(crate) fn rough_reciprocal(m: u32) -> u16 {
     seed(&LINES, m)

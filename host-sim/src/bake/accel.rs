@@ -1,9 +1,11 @@
 use super::{Bounds, Bvh, Grid, Kd, Octree, Tree};
 use crate::rounded::Rounded;
 use scanray::accel::{Every, Hierarchy};
+use serde::{Deserialize, Serialize};
 
 /// Names the kinds of hierarchies.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Accel {
     /// A tree of boxes.
     #[default]

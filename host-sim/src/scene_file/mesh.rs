@@ -4,7 +4,7 @@ use super::mesh_file::{self, MeshFile};
 use super::placement::Placement;
 use super::ready::{Ready, Unusable};
 use super::value::Point;
-use crate::bake::Accel as Built;
+use crate::bake::Accel;
 use crate::bake::steps::Steps;
 use crate::model::piece::Packing;
 use crate::rounded::Rounded;
@@ -60,34 +60,6 @@ pub enum Corners {
     },
 }
 
-/// Names a kind of hierarchy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Accel {
-    /// A tree of boxes.
-    Bvh,
-    /// A tree of planes.
-    Kd,
-    /// A tree of cubes.
-    Octree,
-    /// Equal cubes.
-    Grid,
-    /// None: every triangle is asked.
-    None,
-}
-
-impl Accel {
-    fn built(self) -> Built {
-        match self {
-            Self::Bvh => Built::Bvh,
-            Self::Kd => Built::Kd,
-            Self::Octree => Built::Octree,
-            Self::Grid => Built::Grid,
-            Self::None => Built::None,
-        }
-    }
-}
-
 impl Mesh {
     /// Makes what the core draws of the triangles in its file.
     ///
@@ -105,7 +77,7 @@ impl Mesh {
             Some(Corners::Steps { low, sides }) => Some(Packing::Packed(Steps { low, sides })),
             None => None,
         };
-        let accel = self.accel.map_or(Built::default(), Accel::built);
+        let accel = self.accel.unwrap_or_default();
         let ready = Ready::new(triangles, self.smooth, packing, accel)?;
         self.ready = Some(Box::leak(Box::new(ready)));
         Ok(())
