@@ -10,6 +10,8 @@ mod frames;
 mod host;
 mod planted;
 mod stack;
+#[path = "../turning.rs"]
+mod turning;
 
 use core::{hint::black_box, panic::PanicInfo};
 use scanray::gallery::{Gallery, View};
@@ -26,7 +28,25 @@ fn prove() -> ! {
     host::end(true)
 }
 
+/// Draws the gallery, or turn after turn if the image is built for those.
 fn prove_number<S: Gallery>() {
+    match option_env!("SCANRAY_TURNS").and_then(|turns| turns.parse().ok()) {
+        Some(turns) => prove_turns::<S>(turns),
+        None => prove_gallery::<S>(),
+    }
+}
+
+/// Says `turn CHECKSUM` after each.
+fn prove_turns<S: Gallery>(turns: u32) {
+    let Some(view) = S::find(turning::SCENE) else { return };
+    let mut space = turning::Space::new();
+    for number in 0..turns {
+        let Some(checksum) = turning::turn(view, &mut space, number) else { return };
+        say(&["turn ", text(&Decimal::new(checksum))]);
+    }
+}
+
+fn prove_gallery<S: Gallery>() {
     say(&["workspace ", text(&Decimal::new(frames::workspace_bytes::<S>() as u32))]);
     // Nothing is known of the scenes when this is compiled.
     for view in black_box(S::views()) {

@@ -5,7 +5,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Is how long a run may take before it counts as hung.
-const PATIENCE: Duration = Duration::from_secs(600);
+pub const PATIENCE: Duration = Duration::from_secs(600);
 
 /// The firmware counts at 25 MHz; an instruction, or in the other emulator a cycle, takes a nanosecond.
 const COUNTS_PER_TICK: u64 = 40;
@@ -49,25 +49,26 @@ pub fn qemu(chip: &Chip, image: &Image, stride: u32) -> Command {
 /// Runs each `stride`th row of the image and counts instructions: with `shift=0` each takes a nanosecond of the
 /// board's time.
 pub fn count_instructions(chip: &Chip, image: &Image, stride: u32) -> Result<Said, Failure> {
-    listen(QEMU, qemu(chip, image, stride).args(["-icount", "shift=0"])).map(Said)
+    listen(QEMU, qemu(chip, image, stride).args(["-icount", "shift=0"]), PATIENCE).map(Said)
 }
 
 /// Runs each `stride`th row of the image on the emulated RP2040, which counts cycles.
 pub fn count_cycles(image: &Image, stride: u32) -> Result<Said, Failure> {
     let script = project().join("host-sim/boards/measure.mjs");
-    listen("node", Command::new("node").arg(script).arg(image.path.as_os_str()).arg(stride.to_string()))
-        .map(Said)
+    let mut node = Command::new("node");
+    node.arg(script).arg(image.path.as_os_str()).arg(stride.to_string());
+    listen("node", &mut node, PATIENCE).map(Said)
 }
 
-/// Runs a program to its end and answers what it said.
-pub fn listen(name: &'static str, command: &mut Command) -> Result<String, Failure> {
+/// Runs a program to its end, at most so long, and answers what it said.
+pub fn listen(name: &'static str, command: &mut Command, patience: Duration) -> Result<String, Failure> {
     let mut child = command
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
         .map_err(|error| Failure::Start(name, error))?;
-    let ended_well = wait(&mut child).map_err(|error| Failure::Start(name, error))?;
+    let ended_well = wait(&mut child, patience).map_err(|error| Failure::Start(name, error))?;
     let mut said = String::new();
     let mut complained = String::new();
     // What cannot be read is missing below.
@@ -76,10 +77,10 @@ pub fn listen(name: &'static str, command: &mut Command) -> Result<String, Failu
     if ended_well { Ok(said) } else { Err(Failure::Firmware(said + &complained)) }
 }
 
-/// Waits for the end, at most as long as our patience; the few words the firmware says fit in a pipe.
-fn wait(child: &mut Child) -> std::io::Result<bool> {
+/// Waits for the end, at most as long as the patience; the few words the firmware says fit in a pipe.
+fn wait(child: &mut Child, patience: Duration) -> std::io::Result<bool> {
     let begin = Instant::now();
-    while begin.elapsed() < PATIENCE {
+    while begin.elapsed() < patience {
         if let Some(status) = child.try_wait()? {
             return Ok(status.success());
         }

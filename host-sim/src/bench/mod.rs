@@ -21,7 +21,7 @@ mod truth;
 
 pub use case::{Case, Choice};
 pub use chip::{CHIPS, Chip};
-pub(crate) use emulator::{QEMU, listen};
+pub(crate) use emulator::{PATIENCE, QEMU, listen};
 pub use failure::Failure;
 pub use hierarchies::{Cost, cost};
 pub(crate) use image::{Image, cargo, project};

@@ -1,6 +1,7 @@
 use super::Chip;
-use crate::bench::{Failure, Image, listen};
+use crate::bench::{Failure, Image, PATIENCE, listen};
 use std::process::Command;
+use std::time::Duration;
 
 /// Is a picture as a chip has drawn it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,6 +18,12 @@ pub struct Picture {
 
 /// Lets a chip draw the gallery; answers the bytes of its workspace and the pictures.
 pub(super) fn draw(chip: &Chip, image: &Image) -> Result<(u32, Vec<Picture>), Failure> {
+    let said = run(chip, image, PATIENCE)?;
+    understand(&said).ok_or(Failure::Firmware(said))
+}
+
+/// Runs an image, at most as long as that, and answers what it says.
+pub(super) fn run(chip: &Chip, image: &Image, patience: Duration) -> Result<String, Failure> {
     let mut emulator = Command::new(chip.emulator);
     emulator
         .args(chip.board)
@@ -24,8 +31,7 @@ pub(super) fn draw(chip: &Chip, image: &Image) -> Result<(u32, Vec<Picture>), Fa
         .args(["-chardev", "stdio,id=said", "-semihosting-config", "enable=on,target=native,chardev=said"])
         .arg("-kernel")
         .arg(&image.path);
-    let said = listen(chip.emulator, &mut emulator)?;
-    understand(&said).ok_or(Failure::Firmware(said))
+    listen(chip.emulator, &mut emulator, patience)
 }
 
 fn understand(said: &str) -> Option<(u32, Vec<Picture>)> {

@@ -13,15 +13,20 @@ mod image;
 mod panics;
 mod sums;
 mod table;
+#[path = "../../../examples/proof/turning.rs"]
+mod turning;
+mod turns;
 
 pub use chip::{CHIPS, Chip};
 pub use panics::Panic;
 pub use sums::Sums;
 pub use table::table;
+pub use turns::{Turns, turn};
 
 use crate::bench::Failure;
 use crate::shot::Number;
 pub use emulator::Picture;
+use image::Kind;
 
 /// Is the most bytes of stack that a picture may take beside the workspace; edges sampled by an M0+ take the most.
 pub const MOST_STACK: u32 = 5376;
@@ -36,6 +41,16 @@ pub struct Choice {
     pub chip: Option<&'static Chip>,
     /// The only number, one of [`NUMBERS`].
     pub number: Option<Number>,
+}
+
+impl Choice {
+    /// Answers what is chosen, one after the other.
+    fn each(self) -> impl Iterator<Item = (&'static Chip, Number)> {
+        let chips = CHIPS.iter().filter(move |chip| self.chip.is_none_or(|only| only.name == chip.name));
+        let numbers =
+            move || NUMBERS.into_iter().filter(move |number| self.number.is_none_or(|only| only == *number));
+        chips.flat_map(move |chip| numbers().map(move |number| (chip, number)))
+    }
 }
 
 /// Says what was found of a chip and a number.
@@ -82,20 +97,13 @@ impl Proof {
 /// # Errors
 /// What keeps an image from being built or run.
 pub fn prove(choice: Choice, mut begin: impl FnMut(&str)) -> Result<Vec<Proof>, Failure> {
-    let chips = CHIPS.iter().filter(|chip| choice.chip.is_none_or(|only| only.name == chip.name));
-    let mut proofs = vec![];
-    for chip in chips {
-        for number in NUMBERS.into_iter().filter(|number| choice.number.is_none_or(|only| only == *number)) {
-            proofs.push(prove_in(chip, number, &mut begin)?);
-        }
-    }
-    Ok(proofs)
+    choice.each().map(|(chip, number)| prove_in(chip, number, &mut begin)).collect()
 }
 
 fn prove_in(chip: &'static Chip, number: Number, begin: &mut dyn FnMut(&str)) -> Result<Proof, Failure> {
     let mut begin = |what: &str| begin(&format!("{} in {}: {what}", chip.name, number.name()));
     begin("building");
-    let image = image::build(chip, number, false)?;
+    let image = image::build(chip, number, Kind::Gallery)?;
     begin("seeking panics");
     let (panics, code) = (panics::panics(&image)?, image::code_bytes(&image)?);
     begin("drawing");
@@ -108,5 +116,5 @@ fn prove_in(chip: &'static Chip, number: Number, begin: &mut dyn FnMut(&str)) ->
 /// # Errors
 /// What keeps the image from being built.
 pub fn planted(chip: &Chip, number: Number) -> Result<Vec<Panic>, Failure> {
-    panics::panics(&image::build(chip, number, true)?)
+    panics::panics(&image::build(chip, number, Kind::Planted)?)
 }
