@@ -1,5 +1,14 @@
 //! A ray tracer for microcontroller displays.
 //!
+#![cfg_attr(
+    doc,
+    doc = concat!(
+        "![three balls on a chessboard](data:image/png;base64,",
+        include_str!("../pictures/three-spheres.base64"),
+        ")"
+    )
+)]
+//!
 //! No allocator, no `unsafe`, no recursion: scanray traces a row of rays into a scanline, encodes
 //! the row for the panel and hands it to any [`embedded-graphics`] `DrawTarget` with one
 //! `fill_contiguous`. The RAM it takes is one [`Workspace`]; scenes live in flash.
