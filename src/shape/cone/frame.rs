@@ -1,4 +1,6 @@
-use super::super::called::{add_scaled, dot, length, normalized, scaled};
+use super::super::called::{
+    add_scaled, add_scaled_nearest, dot, length, normalized, product_nearest, scaled,
+};
 use super::hyperbola::Hyperbola;
 use crate::hit::Tangent;
 use crate::math::{Scalar, Vec3, turns};
@@ -42,16 +44,17 @@ impl<S: Scalar> Frame<S> {
         let [height, width] = self.level(near);
         let rise = dot(direction, self.axis);
         let (outward, pace) =
-            normalized(add_scaled(direction, self.axis, -rise)).unwrap_or((Vec3::ZERO, S::ZERO));
-        let aside = add_scaled(near, self.axis, -height);
+            normalized(add_scaled_nearest(direction, self.axis, -rise)).unwrap_or((Vec3::ZERO, S::ZERO));
+        let aside = add_scaled_nearest(near, self.axis, -height);
         let along = dot(aside, outward);
-        let beside = length(add_scaled(aside, outward, -along)) * cosine;
-        let line = S::normalize([cosine * pace, sine * rise, S::ZERO]);
+        let beside = product_nearest(length(add_scaled_nearest(aside, outward, -along)), cosine);
+        let line = S::normalize([product_nearest(cosine, pace), product_nearest(sine, rise), S::ZERO]);
         let Some(([x, w, _], step)) = line else {
             // Along a cylinder.
             return (beside <= width).then_some([S::FAR_BACK, S::FAR]);
         };
-        let [enter, leave] = Hyperbola { at: [cosine * along, width], toward: [x, w], beside }.inside()?;
+        let [enter, leave] =
+            Hyperbola { at: [product_nearest(cosine, along), width], toward: [x, w], beside }.inside()?;
         Some([enter.ratio(step), leave.ratio(step)])
     }
 
