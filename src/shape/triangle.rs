@@ -102,14 +102,17 @@ impl<S: Scalar> Triangle<S> {
             return None;
         }
         let area = |px: S, py: S, qx: S, qy: S| px.mul_wide(qy) - py.mul_wide(qx);
-        let (u, v, w) = (area(cx, cy, ax, ay), area(ax, ay, bx, by), area(bx, by, cx, cy));
-        let zero = S::Wide::ZERO;
-        // Both signs are a hit: one from each side.
-        if (u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero) {
+        let (u, v) = (area(cx, cy, ax, ay), area(ax, ay, bx, by));
+        if opposed(u, v) {
             return None;
         }
-        let whole = u + v + w;
-        (whole != zero).then(|| (S::div(u, whole), S::div(v, whole)))
+        let (w, rest) = (area(bx, by, cx, cy), u + v);
+        // Both signs are a hit: one from each side.
+        if opposed(w, rest) {
+            return None;
+        }
+        let whole = w + rest;
+        (whole != S::Wide::ZERO).then(|| (S::div(u, whole), S::div(v, whole)))
     }
 }
 
@@ -144,6 +147,12 @@ impl Turn {
             Self::Z => Vec3::new(x, y, z),
         }
     }
+}
+
+/// Tells whether one of two numbers is above 0 and the other below.
+#[inline(always)]
+fn opposed<W: Wide>(p: W, q: W) -> bool {
+    (p < W::ZERO && q > W::ZERO) || (p > W::ZERO && q < W::ZERO)
 }
 
 /// Tells whether three numbers are all above 0, or all below.
