@@ -93,7 +93,7 @@ impl<S: Scalar> Triangle<S> {
         let direction = turn.turned(ray.direction);
         let corners = [self.a, self.b, self.c].map(|corner| turn.turned(corner - ray.origin));
         let [ax, bx, cx] = corners.map(|p| S::determinant([p.x, p.z], [direction.x, direction.z]));
-        // Most misses show already: 12 of 18 products are saved.
+        // A miss that shows already saves 12 of 18 products.
         if on_one_side(ax, bx, cx) {
             return None;
         }
@@ -101,6 +101,7 @@ impl<S: Scalar> Triangle<S> {
         if on_one_side(ay, by, cy) {
             return None;
         }
+        // Each corner's share is the area across from it.
         let area = |px: S, py: S, qx: S, qy: S| px.mul_wide(qy) - py.mul_wide(qx);
         let (u, v) = (area(cx, cy, ax, ay), area(ax, ay, bx, by));
         if opposed(u, v) {

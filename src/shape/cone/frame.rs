@@ -39,6 +39,9 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// Answers between which distances from its nearest point the line of a ray is within the side.
+    ///
+    /// Products are rounded to the nearest step: in fixed point 38 of 242591 distances to cones of all sizes are
+    /// then off by more than 1e-4 of them. Rounded down they would put the side a step in, and 112 would be.
     pub fn within_side(&self, near: Vec3<S>, direction: Vec3<S>) -> Option<[S; 2]> {
         let [cosine, sine] = self.slant;
         let [height, width] = self.level(near);

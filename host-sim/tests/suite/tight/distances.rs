@@ -82,11 +82,11 @@ fn assert_right(rays: usize) {
 
 #[test]
 fn distances_are_right_to_a_ten_thousandth_but_for_one_in_ten_thousand() {
-    assert_right(100_000);
+    assert_right(200_000);
 }
 
 #[test]
-#[ignore = "a million rays take half a minute"]
+#[ignore = "a million rays take five times as long"]
 fn of_a_million_distances_all_but_one_in_ten_thousand_are_right() {
     assert_right(1_000_000);
 }
