@@ -106,6 +106,7 @@ impl Neg for Fixed {
 impl Scalar for Fixed {
     type Wide = FixedWide;
 
+    const EXACT_PRODUCTS: bool = true;
     const ZERO: Self = Self(I12F20::ZERO);
     const ONE: Self = Self(I12F20::ONE);
     const HALF: Self = Self::new(0.5);

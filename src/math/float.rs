@@ -35,6 +35,7 @@ macro_rules! float_scalar {
         impl $crate::math::Scalar for $float {
             type Wide = $float;
 
+            const EXACT_PRODUCTS: bool = false;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const HALF: Self = 0.5;

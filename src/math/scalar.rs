@@ -23,6 +23,8 @@ pub trait Scalar:
     /// as the float has.
     type Wide: Wide;
 
+    /// Says whether [`Self::Wide`] holds every digit of a product, as it does in fixed point.
+    const EXACT_PRODUCTS: bool;
     /// Is 0.
     const ZERO: Self;
     /// Is 1.

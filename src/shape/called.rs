@@ -15,6 +15,13 @@ pub(super) fn add_scaled<S: Scalar>(a: Vec3<S>, b: Vec3<S>, by: S) -> Vec3<S> {
     a.add_scaled(b, by)
 }
 
+/// Answers [`Vec3::add_scaled`], in fixed point rounded to the nearest step and not down.
+#[inline(never)]
+pub(super) fn add_scaled_nearest<S: Scalar>(a: Vec3<S>, b: Vec3<S>, by: S) -> Vec3<S> {
+    let add = |a: S, b: S| S::determinant([a, by], [-b, S::ONE]);
+    Vec3::new(add(a.x, b.x), add(a.y, b.y), add(a.z, b.z))
+}
+
 /// Answers [`Vec3::length`].
 #[inline(never)]
 pub(super) fn length<S: Scalar>(a: Vec3<S>) -> S {
@@ -37,6 +44,12 @@ pub(super) fn difference<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
 #[inline(never)]
 pub(super) fn product<S: Scalar>(a: S, b: S) -> S::Wide {
     a.mul_wide(b)
+}
+
+/// Answers `a b`, in fixed point rounded to the nearest step and not down.
+#[inline(never)]
+pub(super) fn product_nearest<S: Scalar>(a: S, b: S) -> S {
+    S::narrow(a.mul_wide(b))
 }
 
 /// Answers the unit vector of the direction of another; `None` for zero.

@@ -8,9 +8,17 @@ use crate::ray::{Interval, Ray};
 /// Is a triangle, seen from both sides: the points `a + u (b - a) + v (c - a)` with `u`, `v` and
 /// `1 - u - v` in [0, 1]; u and v are its texture coordinates.
 ///
-/// The test is that of Möller and Trumbore (1997; row O2): with edges e, f and s = o - a, the
-/// determinant `e.(d x f)` divides `s.(d x f)` into u and `s.(e x d)` into v. The distance is
-/// that of the point u and v name, so no product of three lengths has to fit the number.
+/// In floats the test is that of Möller and Trumbore (1997; row O2): with edges e, f and s = o - a, the
+/// determinant `e.(d x f)` divides `s.(d x f)` into u and `s.(e x d)` into v.
+///
+/// In fixed point these products of three lengths do not fit, and one that is rounded between lets rays through at
+/// edges. There corners are seen along the ray (Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection"):
+/// with z the axis along which the ray goes farthest and p a corner as seen from its origin, the corner is at
+/// `(p_x d_z - p_z d_x, p_y d_z - p_z d_y)` around the ray, which is rounded alike in every triangle that has it. The
+/// areas between the ray and the edges, `a_x b_y - a_y b_x`, are exact, and 0 or of one sign in a triangle that is
+/// met; of two that share an edge, both see the same area with opposite signs: no ray slips through between them.
+///
+/// Either way the distance is that of the point u and v name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle<S = f32> {
     /// First corner, u = v = 0.
@@ -49,8 +57,10 @@ impl<S: Scalar> Triangle<S> {
     }
 }
 
-impl<S: Scalar> Intersect<S> for Triangle<S> {
-    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+impl<S: Scalar> Triangle<S> {
+    /// Answers u and v where the line of a ray passes, by determinants of three vectors.
+    #[inline(always)]
+    fn by_determinants(&self, ray: &Ray<S>) -> Option<(S, S)> {
         let (e, f) = self.edges();
         let p = ray.direction.cross(f);
         let determinant = e.dot_wide(p);
@@ -73,7 +83,88 @@ impl<S: Scalar> Intersect<S> for Triangle<S> {
         if v < -slack || u + v > determinant + slack {
             return None;
         }
-        let (u, v) = (S::div(u, determinant), S::div(v, determinant));
+        Some((S::div(u, determinant), S::div(v, determinant)))
+    }
+
+    /// Answers u and v where the line of a ray passes, by the areas between it and the edges as seen along it.
+    #[inline(always)]
+    fn between_edges(&self, ray: &Ray<S>) -> Option<(S, S)> {
+        let turn = Turn::of(ray.direction);
+        let direction = turn.turned(ray.direction);
+        let corners = [self.a, self.b, self.c].map(|corner| turn.turned(corner - ray.origin));
+        let [ax, bx, cx] = corners.map(|p| S::determinant([p.x, p.z], [direction.x, direction.z]));
+        // A miss that shows already saves 12 of 18 products.
+        if on_one_side(ax, bx, cx) {
+            return None;
+        }
+        let [ay, by, cy] = corners.map(|p| S::determinant([p.y, p.z], [direction.y, direction.z]));
+        if on_one_side(ay, by, cy) {
+            return None;
+        }
+        // Each corner's share is the area across from it.
+        let area = |px: S, py: S, qx: S, qy: S| px.mul_wide(qy) - py.mul_wide(qx);
+        let (u, v) = (area(cx, cy, ax, ay), area(ax, ay, bx, by));
+        if opposed(u, v) {
+            return None;
+        }
+        let (w, rest) = (area(bx, by, cx, cy), u + v);
+        // Both signs are a hit: one from each side.
+        if opposed(w, rest) {
+            return None;
+        }
+        let whole = w + rest;
+        (whole != S::Wide::ZERO).then(|| (S::div(u, whole), S::div(v, whole)))
+    }
+}
+
+/// Names the axis that turns into the third one.
+#[derive(Clone, Copy)]
+enum Turn {
+    X,
+    Y,
+    Z,
+}
+
+impl Turn {
+    /// Finds the axis along which a direction goes farthest.
+    #[inline(always)]
+    fn of<S: Scalar>(direction: Vec3<S>) -> Self {
+        let [x, y, z] = direction.to_array().map(S::abs);
+        if z >= x && z >= y {
+            Self::Z
+        } else if y >= x {
+            Self::Y
+        } else {
+            Self::X
+        }
+    }
+
+    /// Answers a vector whose third component is that along the axis.
+    #[inline(always)]
+    fn turned<S>(self, Vec3 { x, y, z }: Vec3<S>) -> Vec3<S> {
+        match self {
+            Self::X => Vec3::new(y, z, x),
+            Self::Y => Vec3::new(z, x, y),
+            Self::Z => Vec3::new(x, y, z),
+        }
+    }
+}
+
+/// Tells whether one of two numbers is above 0 and the other below.
+#[inline(always)]
+fn opposed<W: Wide>(p: W, q: W) -> bool {
+    (p < W::ZERO && q > W::ZERO) || (p > W::ZERO && q < W::ZERO)
+}
+
+/// Tells whether three numbers are all above 0, or all below.
+#[inline(always)]
+fn on_one_side<S: Scalar>(a: S, b: S, c: S) -> bool {
+    (a > S::ZERO && b > S::ZERO && c > S::ZERO) || (a < S::ZERO && b < S::ZERO && c < S::ZERO)
+}
+
+impl<S: Scalar> Intersect<S> for Triangle<S> {
+    fn intersect(&self, ray: &Ray<S>, interval: &Interval<S>) -> Option<Crossing<S>> {
+        let (u, v) = if S::EXACT_PRODUCTS { self.between_edges(ray) } else { self.by_determinants(ray) }?;
         let t = (self.point(u, v) - ray.origin).dot(ray.direction);
         interval.contains(t).then_some(Crossing { t, part: 0, u, v })
     }

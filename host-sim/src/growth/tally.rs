@@ -70,6 +70,7 @@ impl Wide for Tally {
 impl Scalar for Tally {
     type Wide = Self;
 
+    const EXACT_PRODUCTS: bool = f64::EXACT_PRODUCTS;
     const ZERO: Self = Self(<f64 as Scalar>::ZERO);
     const ONE: Self = Self(f64::ONE);
     const HALF: Self = Self(f64::HALF);

@@ -1,4 +1,6 @@
-use super::super::called::{add_scaled, dot, length, normalized, scaled};
+use super::super::called::{
+    add_scaled, add_scaled_nearest, dot, length, normalized, product_nearest, scaled,
+};
 use super::hyperbola::Hyperbola;
 use crate::hit::Tangent;
 use crate::math::{Scalar, Vec3, turns};
@@ -37,21 +39,25 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// Answers between which distances from its nearest point the line of a ray is within the side.
+    ///
+    /// Products are rounded to the nearest step: in fixed point 38 of 242591 distances to cones of all sizes are
+    /// then off by more than 1e-4 of them. Rounded down they would put the side a step in, and 112 would be.
     pub fn within_side(&self, near: Vec3<S>, direction: Vec3<S>) -> Option<[S; 2]> {
         let [cosine, sine] = self.slant;
         let [height, width] = self.level(near);
         let rise = dot(direction, self.axis);
         let (outward, pace) =
-            normalized(add_scaled(direction, self.axis, -rise)).unwrap_or((Vec3::ZERO, S::ZERO));
-        let aside = add_scaled(near, self.axis, -height);
+            normalized(add_scaled_nearest(direction, self.axis, -rise)).unwrap_or((Vec3::ZERO, S::ZERO));
+        let aside = add_scaled_nearest(near, self.axis, -height);
         let along = dot(aside, outward);
-        let beside = length(add_scaled(aside, outward, -along)) * cosine;
-        let line = S::normalize([cosine * pace, sine * rise, S::ZERO]);
+        let beside = product_nearest(length(add_scaled_nearest(aside, outward, -along)), cosine);
+        let line = S::normalize([product_nearest(cosine, pace), product_nearest(sine, rise), S::ZERO]);
         let Some(([x, w, _], step)) = line else {
             // Along a cylinder.
             return (beside <= width).then_some([S::FAR_BACK, S::FAR]);
         };
-        let [enter, leave] = Hyperbola { at: [cosine * along, width], toward: [x, w], beside }.inside()?;
+        let [enter, leave] =
+            Hyperbola { at: [product_nearest(cosine, along), width], toward: [x, w], beside }.inside()?;
         Some([enter.ratio(step), leave.ratio(step)])
     }
 

@@ -1,4 +1,4 @@
-use super::super::called::product;
+use super::super::called::{product, product_nearest};
 use crate::math::{Scalar, Wide};
 
 /// Is a line in the plane of (x, w), where the side of a cone is the hyperbola w^2 - x^2 = beside^2.
@@ -21,7 +21,8 @@ impl<S: Scalar> Hyperbola<S> {
         let a = product(to_x, to_x) - product(to_w, to_w);
         let b = S::determinant([to_x, to_w], [w, x]);
         let c = product(x, x) + product(self.beside, self.beside) - product(w, w);
-        let (reach, off) = (S::determinant([to_x, to_w], [x, w]), S::sqrt(a.abs()) * self.beside);
+        let (reach, off) =
+            (S::determinant([to_x, to_w], [x, w]), product_nearest(S::sqrt(a.abs()), self.beside));
         let square = product(off, off);
         let rest = product(reach, reach) + if a < S::Wide::ZERO { square } else { -square };
         if rest < S::Wide::ZERO {

@@ -2,7 +2,7 @@ mod frame;
 mod hyperbola;
 
 use super::Intersect;
-use super::called::{add_scaled, difference, dot, normalized, scaled};
+use super::called::{add_scaled, add_scaled_nearest, difference, dot, normalized, product_nearest, scaled};
 use crate::aabb::Aabb;
 use crate::fault::Fault;
 use crate::hit::{Crossing, Surface, Tangent};
@@ -73,7 +73,7 @@ impl<S: Scalar> Cone<S> {
         let (axis, half) = normalized(self.half())?;
         let growth = (self.apex_radius - self.base_radius) * S::HALF;
         let ([cosine, sine, _], _) = S::normalize([half, growth, S::ZERO])?;
-        let width = (self.base_radius + growth) * cosine;
+        let width = product_nearest(self.base_radius + growth, cosine);
         Some(Frame { middle: self.base + self.half(), axis, half, slant: [cosine, sine], width })
     }
 
@@ -83,7 +83,7 @@ impl<S: Scalar> Cone<S> {
         let half = self.half();
         let from_middle = difference(difference(ray.origin, self.base), half);
         let ahead = -dot(from_middle, ray.direction);
-        let near = add_scaled(from_middle, ray.direction, ahead);
+        let near = add_scaled_nearest(from_middle, ray.direction, ahead);
         // Most rays miss the ball around it: they cost no root. Saturated, it is farther than anything.
         let radius = self.base_radius.max(self.apex_radius);
         let ball = half.dot_wide(half) + radius.mul_wide(radius);

@@ -70,22 +70,23 @@ fn distance<S: Rounded>(body: &Shape<S>, place: [f64; 3], aim: [f64; 3]) -> Opti
     body.intersect(&Ray::new(eye, direction), &Interval::AHEAD).map(|crossing| crossing.t)
 }
 
-/// Fixed point misses the aim of one in ten thousand by half: where a ray grazes a small ball, its steps of 2^-20 count.
+/// Asserts that all but one in ten thousand are right: where the eye all but touches a body, or a ray grazes a small
+/// one, the steps of fixed point, 2^-20, count.
 #[track_caller]
 fn assert_right(rays: usize) {
-    for ([met, off], most) in [(off::<f32>("f32", rays), 1), (off::<Fixed>("fixed", rays), 2)] {
+    for [met, off] in [off::<f32>("f32", rays), off::<Fixed>("fixed", rays)] {
         assert!(met * 2 > rays, "{met} of {rays} rays meet something");
-        assert!(off * 10_000 <= most * met, "{off} of {met}");
+        assert!(off * 10_000 <= met, "{off} of {met}");
     }
 }
 
 #[test]
-fn distances_are_right_to_a_ten_thousandth_but_for_two_in_ten_thousand() {
-    assert_right(100_000);
+fn distances_are_right_to_a_ten_thousandth_but_for_one_in_ten_thousand() {
+    assert_right(200_000);
 }
 
 #[test]
-#[ignore = "a million rays take half a minute"]
-fn of_a_million_distances_all_but_two_in_ten_thousand_are_right() {
+#[ignore = "a million rays take five times as long"]
+fn of_a_million_distances_all_but_one_in_ten_thousand_are_right() {
     assert_right(1_000_000);
 }
