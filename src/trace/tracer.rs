@@ -13,7 +13,7 @@ use crate::material::Material;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
-use crate::shape::{Intersect, dispatch};
+use crate::shape::Intersect;
 use core::hint::black_box;
 
 /// Is a handful of rays that are traced together, and the light that comes along each.
@@ -27,6 +27,26 @@ impl<S: Scalar> Packet<S> {
     /// Makes a packet of no rays.
     pub const fn new() -> Self {
         Self { lanes: [Lane::IDLE; LANES], light: [Rgb::BLACK; LANES] }
+    }
+
+    /// Takes up primary rays, as many as there is room for, and answers their number.
+    ///
+    /// Called, not inlined: what a ray is made of is off the stack again before the ray is followed.
+    #[inline(never)]
+    fn load(
+        &mut self,
+        rays: impl Iterator<Item = (Ray<S>, Interval<S>)>,
+        observer: &mut impl Observer,
+    ) -> usize {
+        let mut count = 0;
+        for (lane, (ray, interval)) in self.lanes.iter_mut().zip(rays) {
+            (lane.ray, lane.interval) = (ray, interval);
+            (lane.met, lane.from, lane.number) = (Lane::<S>::NOTHING, Departure::NOWHERE, count);
+            // At most the number of lanes.
+            count = count.wrapping_add(1);
+            observer.ray(RayKind::Primary);
+        }
+        usize::from(count)
     }
 }
 
@@ -108,18 +128,11 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         candidates: Candidates<'_>,
         observer: &mut impl Observer,
     ) -> &'p [Rgb<S>] {
+        let count = packet.load(rays, observer);
         let Packet { lanes, light } = packet;
-        let mut count = 0;
-        for (lane, (ray, interval)) in lanes.iter_mut().zip(rays) {
-            (lane.ray, lane.interval) = (ray, interval);
-            (lane.met, lane.from, lane.number) = (Lane::<S>::NOTHING, Departure::NOWHERE, count);
-            // At most the number of lanes.
-            count = count.wrapping_add(1);
-            observer.ray(RayKind::Primary);
-        }
         // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
-        let lanes = black_box(lanes.get_mut(..usize::from(count)).unwrap_or_default());
-        let light = light.get_mut(..usize::from(count)).unwrap_or_default();
+        let lanes = black_box(lanes.get_mut(..count).unwrap_or_default());
+        let light = light.get_mut(..count).unwrap_or_default();
         nearest(self.scene, candidates, self.eye, lanes);
         match self.scene.volume {
             Some(volume) if cfg!(feature = "volumes") => self.follow_behind(volume, lanes, light, observer),
@@ -187,7 +200,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 onward.mirrored |= material.mirror > S::ZERO && material.glass.is_none();
             }
             let eye = if level == 0 { self.eye } else { None };
-            dispatch!(shape, shape => arrive(shape, eye, run));
+            arrive(shape, eye, run);
             if material.is_detailed() {
                 refine(shape, material, run);
             }
@@ -209,6 +222,9 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     }
 
     /// Lights places of one object, convex or not, and reflects the rays that have reached a mirror.
+    ///
+    /// Called, not inlined: a shape that works out its surface does not have all this on the stack below it.
+    #[inline(never)]
     fn visit<O: Observer>(
         &mut self,
         convex: bool,
