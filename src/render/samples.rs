@@ -70,7 +70,9 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Sampler<'_, '_, '_, S, X, O> {
 
     /// Traces every so many-th of some pixels, the first one first, until one is refused.
     ///
-    /// Columns left of those traced before are not gone back to.
+    /// Columns left of those traced before are not gone back to. Called, not inlined: pixels on edges come here from
+    /// two places.
+    #[inline(never)]
     pub fn try_trace<E>(
         &mut self,
         columns: Range<u32>,
