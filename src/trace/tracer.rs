@@ -1,7 +1,8 @@
 use super::departure::Departure;
 use super::detail::refine;
-use super::lane::{LANES, Lane};
+use super::lane::Lane;
 use super::observer::{Observer, RayKind};
+use super::packet::Packet;
 use super::pending::Pending;
 use super::shade::{Shader, Site};
 use super::vicinity::Vicinities;
@@ -15,46 +16,6 @@ use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
 use crate::shape::Intersect;
 use core::hint::black_box;
-
-/// Is a handful of rays that are traced together, and the light that comes along each.
-#[derive(Clone, Debug)]
-pub struct Packet<S: Scalar> {
-    lanes: [Lane<S>; LANES],
-    light: [Rgb<S>; LANES],
-}
-
-impl<S: Scalar> Packet<S> {
-    /// Makes a packet of no rays.
-    pub const fn new() -> Self {
-        Self { lanes: [Lane::IDLE; LANES], light: [Rgb::BLACK; LANES] }
-    }
-
-    /// Takes up primary rays, as many as there is room for, and answers their number.
-    ///
-    /// Called, not inlined: what a ray is made of is off the stack again before the ray is followed.
-    #[inline(never)]
-    fn load(
-        &mut self,
-        rays: impl Iterator<Item = (Ray<S>, Interval<S>)>,
-        observer: &mut impl Observer,
-    ) -> usize {
-        let mut count = 0;
-        for (lane, (ray, interval)) in self.lanes.iter_mut().zip(rays) {
-            (lane.ray, lane.interval) = (ray, interval);
-            (lane.met, lane.from, lane.number) = (Lane::<S>::NOTHING, Departure::NOWHERE, count);
-            // At most the number of lanes.
-            count = count.wrapping_add(1);
-            observer.ray(RayKind::Primary);
-        }
-        usize::from(count)
-    }
-}
-
-impl<S: Scalar> Default for Packet<S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
 
 /// Traces rays through a scene.
 ///
@@ -118,9 +79,11 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     }
 
     /// Answers the light that comes along some primary rays, linear, of any magnitude; of more
-    /// rays than [`LANES`] the first.
+    /// rays than [`LANES`](super::LANES) the first.
     ///
-    /// `candidates` names the objects these rays may meet; whatever bounces meets all of them.
+    /// `candidates` names the objects these rays may meet; whatever bounces meets all of them. Called, not inlined:
+    /// within the loop over a row an M0+ would keep more values on the stack than both do apart.
+    #[inline(never)]
     pub fn radiance<'p>(
         &mut self,
         packet: &'p mut Packet<S>,

@@ -200,3 +200,15 @@ impl<S: Scalar> Beam<S> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    #[test]
+    fn a_cube_not_laid_yet_holds_no_point_not_even_the_origin() {
+        assert!(!Vicinity::<f32>::NOWHERE.contains(Vec3::ZERO));
+        assert!(!Vicinity::<Fixed>::NOWHERE.contains(Vec3::ZERO));
+    }
+}

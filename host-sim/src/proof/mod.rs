@@ -132,3 +132,22 @@ fn prove_in(chip: &'static Chip, number: Number, begin: &mut dyn FnMut(&str)) ->
 pub fn planted(chip: &Chip, number: Number) -> Result<Vec<Panic>, Failure> {
     panics::panics(&image::build(chip, number, true)?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stack_that_is_too_deep_for_its_way_is_named() {
+        let picture =
+            |way: &str, stack| Picture { scene: "simple".into(), way: way.into(), checksum: 0, stack };
+        let too_deep = |pictures| {
+            let proof = Proof { chip: &CHIPS[0], number: Number::F32, code: 0, panics: vec![], pictures };
+            proof.complaints(&Sums::default()).iter().filter(|text| text.contains("bytes of stack")).count()
+        };
+        let [most, other] = [MOST_STACK, MOST_STACK_OTHERWISE];
+        assert_eq!(too_deep(vec![picture("turned", most), picture("at-edges", other)]), 0);
+        assert_eq!(too_deep(vec![picture("turned", most + 1), picture("at-edges", other)]), 1);
+        assert_eq!(too_deep(vec![picture("turned", most), picture("at-edges", other + 1)]), 1);
+    }
+}
