@@ -38,17 +38,22 @@ pub const WAYS: [&str; 10] = [
     "raster",
 ];
 
-/// Answers the bytes of the workspace, and of the row where the caller brings it: what is lent to a way of drawing, and
-/// not the core's.
+/// Answers the bytes that the caller holds for a way of drawing, which are not the core's stack: the workspace, the
+/// renderer, and the row where that is the caller's.
 #[cfg(target_os = "none")]
-pub const fn lent_bytes<S: Scalar>(way: usize) -> usize {
+pub const fn held_bytes<S: Scalar>(way: usize) -> usize {
     const { assert!(size_of::<Rgb666>() == size_of::<Rgb888>(), "the longest row is that of either") };
     match way {
-        6 => size_of::<Workspace<S, Rgb565, 0, DEPTH>>() + size_of::<[Rgb666; WIDTH]>(),
-        8 => size_of::<Workspace<S, Rgb565, 0, DEPTH>>() + size_of::<[[u8; 2]; WIDTH]>(),
-        9 => size_of::<RasterWorkspace<S, WIDTH>>(),
-        _ => size_of::<Workspace<S, Rgb565, WIDTH, DEPTH>>(),
+        6 => tracer_bytes::<S, 0>() + size_of::<[Rgb666; WIDTH]>(),
+        8 => tracer_bytes::<S, 0>() + size_of::<[[u8; 2]; WIDTH]>(),
+        9 => size_of::<RasterWorkspace<S, WIDTH>>() + size_of::<RasterRenderer<'_, '_, S, WIDTH>>(),
+        _ => tracer_bytes::<S, WIDTH>(),
     }
+}
+
+#[cfg(target_os = "none")]
+const fn tracer_bytes<S: Scalar, const ROOM: usize>() -> usize {
+    size_of::<Workspace<S, Rgb565, ROOM, DEPTH>>() + size_of::<Renderer<'_, '_, S, Rgb565, ROOM, DEPTH>>()
 }
 
 /// Draws a scene in the way of a number, a place in [`WAYS`], and hands the bytes that panels would get to
@@ -85,8 +90,7 @@ fn rows<S: Scalar, Q: Quality>(
     take: &mut dyn FnMut(&[u8]),
 ) -> Result<(), RenderError> {
     let mut space = Workspace::<S, Rgb565, WIDTH, DEPTH>::new();
-    let settings = view.settings.with_quality(quality);
-    let mut made = Renderer::new(&view.scene, camera, SIZE, settings, &mut space);
+    let mut made = Renderer::new(&view.scene, camera, SIZE, view.settings.with_quality(quality), &mut space);
     let Ok(()) = in_place(&mut made)?.draw(&mut Wire(take));
     Ok(())
 }

@@ -33,29 +33,13 @@ where
 {
     /// Makes a renderer for pictures of one size.
     ///
+    /// Matched by reference, as in `match &mut Renderer::new(..)`, it stays where it is made; moved out of the result,
+    /// its 250 bytes mostly lie on the stack twice.
+    ///
     /// # Errors
     /// Whatever keeps the picture from being drawn: a fault of the scene or the camera, a
     /// workspace too small.
-    #[inline(never)]
     pub fn new(
-        scene: &Scene<'a, S, X>,
-        camera: &Camera<S>,
-        size: Size,
-        settings: Settings<S, Q>,
-        workspace: &'w mut Workspace<S, C, WIDTH, DEPTH>,
-    ) -> Result<Self, RenderError> {
-        // Written once, where the caller wants it; what making it takes is off the stack before shapes are asked for
-        // their hulls.
-        let mut made = Self::checked(scene, camera, size, settings, workspace);
-        if let Ok(renderer) = &mut made {
-            renderer.begin();
-        }
-        made
-    }
-
-    /// Makes a renderer whose workspace still holds another picture's things.
-    #[inline(never)]
-    fn checked(
         scene: &Scene<'a, S, X>,
         camera: &Camera<S>,
         size: Size,
@@ -72,15 +56,18 @@ where
         settings.check_exposure()?;
         settings.quality.pattern().check()?;
         let frame = camera.frame(size.width, size.height)?;
-        let faintest = faintest(scene, settings.depth);
-        Ok(Self { picture: Picture { scene: *scene, frame, size, settings, faintest }, workspace })
-    }
-
-    /// Makes the workspace ready for the picture.
-    fn begin(&mut self) {
-        let (Picture { scene, frame, .. }, scratch) = (&self.picture, &mut self.workspace.scratch);
-        scratch.spans.enter_picture(scene, frame);
-        scratch.vicinities.clear();
+        workspace.scratch.spans.enter_picture(scene, &frame);
+        workspace.scratch.vicinities.clear();
+        Ok(Self {
+            picture: Picture {
+                scene: *scene,
+                frame,
+                size,
+                settings,
+                faintest: faintest(scene, settings.depth),
+            },
+            workspace,
+        })
     }
 
     /// Answers the size of the picture.

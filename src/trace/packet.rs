@@ -20,8 +20,8 @@ impl<S: Scalar> Packet<S> {
 
     /// Takes up primary rays, as many as there is room for, and answers their number.
     ///
-    /// Called, not inlined: what a ray is made of is off the stack again before the ray is followed.
-    #[inline(never)]
+    /// Inlined: called, it takes an M0+ 26 instructions more for each ray, whose row then is in memory.
+    #[inline(always)]
     pub(super) fn load(
         &mut self,
         rays: impl Iterator<Item = (Ray<S>, Interval<S>)>,

@@ -81,9 +81,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     /// Answers the light that comes along some primary rays, linear, of any magnitude; of more
     /// rays than [`LANES`](super::LANES) the first.
     ///
-    /// `candidates` names the objects these rays may meet; whatever bounces meets all of them. Called, not inlined:
-    /// within the loop over a row an M0+ would keep more values on the stack than both do apart.
-    #[inline(never)]
+    /// `candidates` names the objects these rays may meet; whatever bounces meets all of them.
     pub fn radiance<'p>(
         &mut self,
         packet: &'p mut Packet<S>,
@@ -162,7 +160,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 onward.split |= material.glass.is_some();
                 onward.mirrored |= material.mirror > S::ZERO && material.glass.is_none();
             }
-            let eye = if level == 0 { self.eye } else { None };
+            let eye = self.eye.as_ref().filter(|_| level == 0);
             arrive(shape, eye, run);
             if material.is_detailed() {
                 refine(shape, material, run);

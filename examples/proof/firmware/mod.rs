@@ -35,13 +35,13 @@ fn prove_number<S: Gallery>() {
     }
 }
 
-/// Says `SCENE WAY CHECKSUM STACK`, the stack without what is lent; nothing of a picture that the core refuses to
-/// draw.
+/// Says `SCENE WAY CHECKSUM STACK`, the stack without what the caller holds; nothing of a picture that the core
+/// refuses to draw.
 #[inline(never)]
 fn prove_picture<S: Gallery>(view: &View<S>, way: usize, name: &str) {
     stack::paint();
     let Ok(checksum) = frames::checksum(view, way) else { return };
-    let used = stack::used().wrapping_sub(frames::lent_bytes::<S>(way) as u32);
+    let used = stack::used().wrapping_sub(frames::held_bytes::<S>(way) as u32);
     say(&[view.name, " ", name, " ", text(&Decimal::new(checksum)), " ", text(&Decimal::new(used))]);
 }
 

@@ -11,7 +11,7 @@ pub struct Picture {
     pub way: String,
     /// FNV-1a of the bytes that a panel would get.
     pub checksum: u32,
-    /// Bytes of the stack at its deepest, beside the workspace.
+    /// Bytes of the stack at its deepest, beside the workspace, the row and the renderer.
     pub stack: u32,
 }
 

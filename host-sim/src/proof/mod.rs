@@ -23,7 +23,8 @@ use crate::bench::Failure;
 use crate::shot::Number;
 pub use emulator::Picture;
 
-/// Is the most bytes of stack that a picture of one ray a pixel may take beside the workspace.
+/// Is the most bytes of stack that a picture of one ray a pixel may take beside what the caller holds: the workspace,
+/// the row and the renderer.
 pub const MOST_STACK: u32 = 2048;
 
 /// Is the same of pictures that are filled in, sampled, refined, seen through foreign hierarchies or rasterised.
@@ -80,7 +81,7 @@ impl Proof {
         let deep = deep.map(|picture| {
             let (Picture { scene, way, stack, .. }, most) = (picture, picture.most_stack());
             format!(
-                "{of}: {scene}, {way} takes {stack} bytes of stack beside the workspace: {most} are allowed"
+                "{of}: {scene}, {way} takes {stack} bytes of stack beside what the caller holds: {most} are allowed"
             )
         });
         panics.chain(differences).chain(deep).collect()

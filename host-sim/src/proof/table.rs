@@ -29,10 +29,10 @@ pub fn table(proofs: &[Proof], sums: &Sums) -> String {
     text + "\n" + &stacks(proofs)
 }
 
-/// Writes the bytes of stack beside the workspace that each scene takes: with one ray a pixel, and in the other way
-/// that takes the most.
+/// Writes the bytes of stack that each scene takes beside what the caller holds: with one ray a pixel, and in the other
+/// way that takes the most.
 fn stacks(proofs: &[Proof]) -> String {
-    let mut text = String::from("| stack beside the workspace |");
+    let mut text = String::from("| stack beside workspace, row and renderer |");
     for Proof { chip, number, .. } in proofs {
         let _ = write!(text, " {} {} |", chip.name, number.name());
     }
