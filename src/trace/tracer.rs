@@ -160,7 +160,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 onward.split |= material.glass.is_some();
                 onward.mirrored |= material.mirror > S::ZERO && material.glass.is_none();
             }
-            let eye = self.eye.as_ref().filter(|_| level == 0);
+            let eye = if level == 0 { self.eye } else { None };
             arrive(shape, eye, run);
             if material.is_detailed() {
                 refine(shape, material, run);

@@ -119,15 +119,15 @@ fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>])
 #[inline(never)]
 pub(super) fn arrive<S: Scalar, X: Intersect<S>>(
     shape: &Shape<S, X>,
-    eye: Option<&Vec3<S>>,
+    eye: Option<Vec3<S>>,
     lanes: &mut [Lane<S>],
 ) {
     dispatch!(shape, shape => arrive_on(shape, eye, lanes));
 }
 
-fn arrive_on<S: Scalar>(shape: &impl Intersect<S>, eye: Option<&Vec3<S>>, lanes: &mut [Lane<S>]) {
+fn arrive_on<S: Scalar>(shape: &impl Intersect<S>, eye: Option<Vec3<S>>, lanes: &mut [Lane<S>]) {
     for lane in lanes {
-        let ray = Ray::new(*eye.unwrap_or(&lane.ray.origin), lane.ray.direction);
+        let ray = Ray::new(eye.unwrap_or(lane.ray.origin), lane.ray.direction);
         lane.arrive(shape.surface(&ray, &lane.crossing()));
     }
 }

@@ -24,11 +24,12 @@ use crate::shot::Number;
 pub use emulator::Picture;
 
 /// Is the most bytes of stack that a picture of one ray a pixel may take beside what the caller holds: the workspace,
-/// the row and the renderer.
-pub const MOST_STACK: u32 = 2048;
+/// the row and the renderer; an M0+ that asks a mesh for shadows takes the most.
+pub const MOST_STACK: u32 = 2432;
 
-/// Is the same of pictures that are filled in, sampled, refined, seen through foreign hierarchies or rasterised.
-pub const MOST_STACK_OTHERWISE: u32 = 2048;
+/// Is the same of pictures that are filled in, sampled, refined, seen through foreign hierarchies or rasterised;
+/// adaptive rows keep a block of 65 samples, 800 bytes.
+pub const MOST_STACK_OTHERWISE: u32 = 3456;
 
 /// Names the ways of drawing that trace one ray a pixel, row by row.
 const PLAIN: [&str; 3] = ["exact", "panels", "turned"];
