@@ -38,10 +38,22 @@ pub const WAYS: [&str; 10] = [
     "raster",
 ];
 
-/// Is the bytes of RAM that the caller lends to the tracer: what a chip tells of its stack counts them in.
+/// Answers the bytes that the caller holds for a way of drawing, which are not the core's stack: the workspace, the
+/// renderer, and the row where that is the caller's.
 #[cfg(target_os = "none")]
-pub const fn workspace_bytes<S: Scalar>() -> usize {
-    size_of::<Workspace<S, Rgb565, WIDTH, DEPTH>>()
+pub const fn held_bytes<S: Scalar>(way: usize) -> usize {
+    const { assert!(size_of::<Rgb666>() == size_of::<Rgb888>(), "the longest row is that of either") };
+    match way {
+        6 => tracer_bytes::<S, 0>() + size_of::<[Rgb666; WIDTH]>(),
+        8 => tracer_bytes::<S, 0>() + size_of::<[[u8; 2]; WIDTH]>(),
+        9 => size_of::<RasterWorkspace<S, WIDTH>>() + size_of::<RasterRenderer<'_, '_, S, WIDTH>>(),
+        _ => tracer_bytes::<S, WIDTH>(),
+    }
+}
+
+#[cfg(target_os = "none")]
+const fn tracer_bytes<S: Scalar, const ROOM: usize>() -> usize {
+    size_of::<Workspace<S, Rgb565, ROOM, DEPTH>>() + size_of::<Renderer<'_, '_, S, Rgb565, ROOM, DEPTH>>()
 }
 
 /// Draws a scene in the way of a number, a place in [`WAYS`], and hands the bytes that panels would get to
@@ -64,6 +76,11 @@ pub fn draw<S: Scalar>(view: &View<S>, way: usize, take: &mut dyn FnMut(&[u8])) 
     }
 }
 
+/// Answers the renderer where it is: `?` alone would move it, and the stack would hold it twice.
+fn in_place<R>(made: &mut Result<R, RenderError>) -> Result<&mut R, RenderError> {
+    made.as_mut().map_err(|error| *error)
+}
+
 /// Draws through a `DrawTarget`, row by row.
 #[inline(never)]
 fn rows<S: Scalar, Q: Quality>(
@@ -73,9 +90,8 @@ fn rows<S: Scalar, Q: Quality>(
     take: &mut dyn FnMut(&[u8]),
 ) -> Result<(), RenderError> {
     let mut space = Workspace::<S, Rgb565, WIDTH, DEPTH>::new();
-    let settings = view.settings.with_quality(quality);
-    let mut renderer = Renderer::new(&view.scene, camera, SIZE, settings, &mut space)?;
-    let Ok(()) = renderer.draw(&mut Wire(take));
+    let mut made = Renderer::new(&view.scene, camera, SIZE, view.settings.with_quality(quality), &mut space);
+    let Ok(()) = in_place(&mut made)?.draw(&mut Wire(take));
     Ok(())
 }
 
@@ -83,7 +99,8 @@ fn rows<S: Scalar, Q: Quality>(
 #[inline(never)]
 fn refined<S: Scalar>(view: &View<S>, take: &mut dyn FnMut(&[u8])) -> Result<(), RenderError> {
     let mut space = Workspace::<S, Rgb565, WIDTH, DEPTH>::new();
-    let mut renderer = Renderer::new(&view.scene, &view.camera, SIZE, view.settings, &mut space)?;
+    let mut made = Renderer::new(&view.scene, &view.camera, SIZE, view.settings, &mut space);
+    let renderer = in_place(&mut made)?;
     let mut progress = Progress::new(16);
     while let Ok(true) = renderer.refine(&mut progress, &mut Wire(take)) {}
     Ok(())
@@ -145,7 +162,8 @@ fn striped<S: Scalar, P: Encode>(
     mut take: impl FnMut(P),
 ) -> Result<(), RenderError> {
     let mut space = Workspace::<S, Rgb565, 0, DEPTH>::new();
-    let mut renderer = Renderer::new(scene, camera, SIZE, settings, &mut space)?;
+    let mut made = Renderer::new(scene, camera, SIZE, settings, &mut space);
+    let renderer = in_place(&mut made)?;
     let mut row = [P::DARKEST; WIDTH];
     for y in rows {
         // The row exists and is as long as the picture is wide.
@@ -158,8 +176,8 @@ fn striped<S: Scalar, P: Encode>(
 #[inline(never)]
 fn raster<S: Scalar>(view: &View<S>, take: &mut dyn FnMut(&[u8])) -> Result<(), RenderError> {
     let mut space = RasterWorkspace::<S, WIDTH>::new();
-    let mut renderer = RasterRenderer::new(&view.scene, &view.camera, SIZE, view.settings, &mut space)?;
-    let Ok(()) = renderer.draw(&mut Wire(take));
+    let mut made = RasterRenderer::new(&view.scene, &view.camera, SIZE, view.settings, &mut space);
+    let Ok(()) = in_place(&mut made)?.draw(&mut Wire(take));
     Ok(())
 }
 

@@ -37,6 +37,7 @@ impl<S: Scalar> Fan<S> {
 
     /// Answers the rows whose rays can meet what the hull holds, where this is the fan of
     /// [`Frame::upright_fan`].
+    #[inline(never)]
     pub fn rows(&self, hull: &Hull<S>) -> Range<u16> {
         self.projection(hull).map_or(0..0, |slopes| self.range(slopes))
     }

@@ -31,22 +31,22 @@ pub struct RowRay<S = f32> {
 
 impl<'f, S: Scalar> Row<'f, S> {
     pub(super) fn new(frame: &'f Frame<S>, start: WideVec3<S>, x: i32) -> Self {
-        // Columns are stepped to from their anchor, so that a row begun in its middle has the
-        // same bits as the whole row.
-        let anchor = x - x % ANCHOR;
-        let at = start + frame.column(anchor);
-        let mut row = Self { frame, start, step: frame.step(), at, x: anchor };
-        while row.x < x {
-            row.advance();
-        }
+        let mut row = Self { frame, start, step: frame.step(), at: start + frame.column(0), x: 0 };
+        row.go_to(x);
         row
     }
 
     /// Goes on to a column without making the rays before it; columns passed are not gone back to.
     pub fn skip_to(&mut self, x: u32) {
-        let x = index(x);
-        if x - x % ANCHOR > self.x {
-            *self = Self::new(self.frame, self.start, x);
+        self.go_to(index(x));
+    }
+
+    /// Columns are stepped to from their anchor, so that a row begun in its middle has the same bits as the whole
+    /// row.
+    fn go_to(&mut self, x: i32) {
+        let anchor = x - x % ANCHOR;
+        if anchor > self.x {
+            (self.at, self.x) = (self.start + self.frame.column(anchor), anchor);
         }
         while self.x < x {
             self.advance();

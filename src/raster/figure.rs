@@ -63,6 +63,9 @@ pub(super) fn clearance<S: Scalar, X>(scene: &Scene<'_, S, X>, eye: Vec3<S>) -> 
 }
 
 /// Puts all objects of a scene into a row of depths that holds nothing yet.
+///
+/// Called, not inlined: it is off the stack again before the row is lit.
+#[inline(never)]
 pub(super) fn paint<S: Scalar, X, O: Observer>(
     scene: &Scene<'_, S, X>,
     slice: &Slice<S>,

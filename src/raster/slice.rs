@@ -37,7 +37,8 @@ pub(super) struct Slice<S: Scalar> {
 impl<S: Scalar> Slice<S> {
     /// Makes the plane of row `y`; `clear` is a distance from the eye within which nothing stands.
     ///
-    /// `None` for a window too narrow for its number.
+    /// `None` for a window too narrow for its number. Called, not inlined, as [`super::figure::paint`] is.
+    #[inline(never)]
     pub fn of(frame: &Frame<S>, y: u32, clear: S) -> Option<Self> {
         let fan = frame.row_fan(y)?;
         if fan.parallel {

@@ -9,7 +9,9 @@ use core::ops::Range;
 impl Spans {
     /// Finds the columns of each object that any of some lines of row `y` can touch.
     ///
-    /// A line is the fraction of the row's height that lies above it, numerator and denominator.
+    /// A line is the fraction of the row's height that lies above it, numerator and denominator. Called, not inlined:
+    /// what is found once a row is off the stack again before the row is traced.
+    #[inline(never)]
     pub(super) fn enter_band<S: Scalar, X: Intersect<S>>(
         &mut self,
         scene: &Scene<'_, S, X>,

@@ -55,6 +55,9 @@ struct Zigzag<'s, S: Scalar> {
 
 impl<S: Scalar> Zigzag<'_, S> {
     /// Probes some columns of the same candidates, as many as a packet holds.
+    ///
+    /// Called, not inlined: the probe's tracing is off the stack again before pixels on edges are traced.
+    #[inline(never)]
     fn probe<X: Intersect<S>>(
         &mut self,
         sampler: &mut Sampler<'_, '_, '_, S, X, impl Observer>,
@@ -141,12 +144,13 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
                 .enter_column(x)
                 .min(probed.end.min(x.saturating_add(LANES as u32)))
                 .max(x.saturating_add(1));
-            for probe in zigzag.probe(&mut sampler, x..stop) {
-                judge.go_on(Some(probe), &mut sampler, &mut pixel);
+            // Moved into a loop, they would lie on the stack twice.
+            for probe in &zigzag.probe(&mut sampler, x..stop) {
+                judge.go_on(Some(*probe), &mut sampler, &mut pixel);
             }
             x = stop;
         }
         judge.go_on(None, &mut sampler, &mut pixel);
-        sampler.trace(judge.waiting, pixel);
+        sampler.trace(judge.waiting, &mut pixel);
     }
 }

@@ -33,6 +33,9 @@ where
 {
     /// Makes a renderer for pictures of one size.
     ///
+    /// Matched by reference, as in `match &mut Renderer::new(..)`, it stays where it is made; moved out of the result,
+    /// its 250 bytes mostly lie on the stack twice.
+    ///
     /// # Errors
     /// Whatever keeps the picture from being drawn: a fault of the scene or the camera, a
     /// workspace too small.

@@ -26,7 +26,9 @@ pub(super) struct Sampler<'a, 's, 'o, S: Scalar, X, O> {
 impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
     /// Makes the sampler of row `y` from column `x` on.
     ///
-    /// Its candidates are those of the pattern's lines and of `more`, each a fraction of the row's height.
+    /// Its candidates are those of the pattern's lines and of `more`, each a fraction of the row's height. Called, not
+    /// inlined: what is made once a row is off the stack again before the row is traced.
+    #[inline(never)]
     pub fn sampler<'s, 'o, O: Observer>(
         &'s self,
         scratch: &'s mut Scratch<S>,
@@ -70,7 +72,9 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Sampler<'_, '_, '_, S, X, O> {
 
     /// Traces every so many-th of some pixels, the first one first, until one is refused.
     ///
-    /// Columns left of those traced before are not gone back to.
+    /// Columns left of those traced before are not gone back to. Called, not inlined: pixels on edges come here from
+    /// two places.
+    #[inline(never)]
     pub fn try_trace<E>(
         &mut self,
         columns: Range<u32>,

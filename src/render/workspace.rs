@@ -44,15 +44,23 @@ pub(super) struct ScratchOf<S: Scalar, P: ?Sized> {
 }
 
 impl<S: Scalar, C: Encode, const WIDTH: usize, const DEPTH: usize> Workspace<S, C, WIDTH, DEPTH> {
-    /// Makes a workspace; at compile time for a `static`.
-    pub const fn new() -> Self {
-        let scratch = ScratchOf {
+    /// Is a workspace before any picture: all zeros, so that a `static` takes no flash.
+    ///
+    /// A constant, for what is made of its parts when it is needed is made of each of them in turn, and both lie
+    /// on the stack: 1564 bytes of it for 40 columns.
+    const EMPTY: Self = Self {
+        scanline: [C::DARKEST; WIDTH],
+        scratch: ScratchOf {
             packet: Packet::new(),
             spans: Spans::new(),
             vicinities: Vicinities::new(),
             pending: [Pending::NONE; DEPTH],
-        };
-        Self { scanline: [C::DARKEST; WIDTH], scratch }
+        },
+    };
+
+    /// Makes a workspace; at compile time for a `static`.
+    pub const fn new() -> Self {
+        Self::EMPTY
     }
 }
 

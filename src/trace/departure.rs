@@ -10,4 +10,7 @@ pub(super) struct Departure {
 impl Departure {
     /// Stands for a start off all surfaces.
     pub const NOWHERE: Self = Self { index: u16::MAX, free: true };
+
+    /// Fills a place that is written to before it is read; in zeros, as all of an empty workspace.
+    pub const UNSET: Self = Self { index: 0, free: false };
 }

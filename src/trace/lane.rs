@@ -36,15 +36,15 @@ impl<S: Scalar> Lane<S> {
     /// Stands for no object.
     pub const NOTHING: u16 = u16::MAX;
 
-    /// Is a lane without a ray.
+    /// Is a lane that no ray has taken yet.
     pub const IDLE: Self = Self {
         ray: Ray::new(Vec3::ZERO, Vec3::ZERO),
-        interval: Interval::AHEAD,
+        interval: Interval::new(S::ZERO, S::ZERO),
         u: S::ZERO,
         v: S::ZERO,
         part: 0,
-        met: Self::NOTHING,
-        from: Departure::NOWHERE,
+        met: 0,
+        from: Departure::UNSET,
         number: 0,
         weight: Rgb::BLACK,
         normal: Vec3::ZERO,

@@ -22,8 +22,8 @@ impl<S: Scalar> Pending<S> {
     pub const NONE: Self = Self {
         ray: Ray::new(Vec3::ZERO, Vec3::ZERO),
         weight: Rgb::BLACK,
-        from: Departure::NOWHERE,
-        within: SPACE,
+        from: Departure::UNSET,
+        within: 0,
         level: 0,
     };
 }

@@ -1,7 +1,8 @@
 use super::departure::Departure;
 use super::detail::refine;
-use super::lane::{LANES, Lane};
+use super::lane::Lane;
 use super::observer::{Observer, RayKind};
+use super::packet::Packet;
 use super::pending::Pending;
 use super::shade::{Shader, Site};
 use super::vicinity::Vicinities;
@@ -13,28 +14,8 @@ use crate::material::Material;
 use crate::math::{Scalar, Vec3};
 use crate::ray::{Interval, Ray};
 use crate::scene::Scene;
-use crate::shape::{Intersect, dispatch};
+use crate::shape::Intersect;
 use core::hint::black_box;
-
-/// Is a handful of rays that are traced together, and the light that comes along each.
-#[derive(Clone, Debug)]
-pub struct Packet<S: Scalar> {
-    lanes: [Lane<S>; LANES],
-    light: [Rgb<S>; LANES],
-}
-
-impl<S: Scalar> Packet<S> {
-    /// Makes a packet of no rays.
-    pub const fn new() -> Self {
-        Self { lanes: [Lane::IDLE; LANES], light: [Rgb::BLACK; LANES] }
-    }
-}
-
-impl<S: Scalar> Default for Packet<S> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
 
 /// Traces rays through a scene.
 ///
@@ -98,7 +79,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     }
 
     /// Answers the light that comes along some primary rays, linear, of any magnitude; of more
-    /// rays than [`LANES`] the first.
+    /// rays than [`LANES`](super::LANES) the first.
     ///
     /// `candidates` names the objects these rays may meet; whatever bounces meets all of them.
     pub fn radiance<'p>(
@@ -108,18 +89,11 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         candidates: Candidates<'_>,
         observer: &mut impl Observer,
     ) -> &'p [Rgb<S>] {
+        let count = packet.load(rays, observer);
         let Packet { lanes, light } = packet;
-        let mut count = 0;
-        for (lane, (ray, interval)) in lanes.iter_mut().zip(rays) {
-            (lane.ray, lane.interval) = (ray, interval);
-            (lane.met, lane.from, lane.number) = (Lane::<S>::NOTHING, Departure::NOWHERE, count);
-            // At most the number of lanes.
-            count = count.wrapping_add(1);
-            observer.ray(RayKind::Primary);
-        }
         // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
-        let lanes = black_box(lanes.get_mut(..usize::from(count)).unwrap_or_default());
-        let light = light.get_mut(..usize::from(count)).unwrap_or_default();
+        let lanes = black_box(lanes.get_mut(..count).unwrap_or_default());
+        let light = light.get_mut(..count).unwrap_or_default();
         nearest(self.scene, candidates, self.eye, lanes);
         match self.scene.volume {
             Some(volume) if cfg!(feature = "volumes") => self.follow_behind(volume, lanes, light, observer),
@@ -187,7 +161,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
                 onward.mirrored |= material.mirror > S::ZERO && material.glass.is_none();
             }
             let eye = if level == 0 { self.eye } else { None };
-            dispatch!(shape, shape => arrive(shape, eye, run));
+            arrive(shape, eye, run);
             if material.is_detailed() {
                 refine(shape, material, run);
             }
@@ -209,6 +183,9 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
     }
 
     /// Lights places of one object, convex or not, and reflects the rays that have reached a mirror.
+    ///
+    /// Called, not inlined: a shape that works out its surface does not have all this on the stack below it.
+    #[inline(never)]
     fn visit<O: Observer>(
         &mut self,
         convex: bool,

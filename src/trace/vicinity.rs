@@ -37,7 +37,7 @@ pub(super) struct Vicinity<S: Scalar> {
     /// The light that this was found for.
     owner: u16,
     center: Vec3<S>,
-    /// Half the side of the cube; below 0 for none.
+    /// Half the side of the cube; 0 for none.
     reach: S,
     /// Whether no object of the scene is left out of those noted.
     all_noted: bool,
@@ -53,16 +53,16 @@ impl<S: Scalar> Vicinity<S> {
     const NOWHERE: Self = Self {
         owner: 0,
         center: Vec3::ZERO,
-        reach: S::FAR_BACK,
+        reach: S::ZERO,
         all_noted: false,
         blockers: [0; WORDS],
         words: 0,
-        last: u16::MAX,
+        last: 0,
     };
 
     fn contains(&self, point: Vec3<S>) -> bool {
         let off = point - self.center;
-        off.x.abs() <= self.reach && off.y.abs() <= self.reach && off.z.abs() <= self.reach
+        off.x.abs() < self.reach && off.y.abs() < self.reach && off.z.abs() < self.reach
     }
 
     /// Tells whether nothing but the object left can stand in the light.
@@ -159,6 +159,8 @@ impl<S: Scalar> Beam<S> {
         words
     }
 
+    /// Called, not inlined: a shape that works out its hull does not have all this on the stack below it.
+    #[inline(never)]
     fn meets(&self, hull: &Hull<S>) -> bool {
         match *hull {
             Hull::Ball { center, radius } => self.meets_ball(center, radius),
@@ -196,5 +198,17 @@ impl<S: Scalar> Beam<S> {
             let reach = half + self.radius + (center.abs() + end.abs()) * S::SLACK;
             center + reach >= end.min(S::ZERO) && center - reach <= end.max(S::ZERO)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Fixed;
+
+    #[test]
+    fn a_cube_not_laid_yet_holds_no_point_not_even_the_origin() {
+        assert!(!Vicinity::<f32>::NOWHERE.contains(Vec3::ZERO));
+        assert!(!Vicinity::<Fixed>::NOWHERE.contains(Vec3::ZERO));
     }
 }

@@ -114,7 +114,18 @@ fn look<S: Scalar>(shape: &impl Intersect<S>, index: u16, lanes: &mut [Lane<S>])
 }
 
 /// Puts rays that have met one shape onto its surface.
-pub(super) fn arrive<S: Scalar>(shape: &impl Intersect<S>, eye: Option<Vec3<S>>, lanes: &mut [Lane<S>]) {
+///
+/// Called, not inlined: what shapes work out here is off the stack again before the surface is lit.
+#[inline(never)]
+pub(super) fn arrive<S: Scalar, X: Intersect<S>>(
+    shape: &Shape<S, X>,
+    eye: Option<Vec3<S>>,
+    lanes: &mut [Lane<S>],
+) {
+    dispatch!(shape, shape => arrive_on(shape, eye, lanes));
+}
+
+fn arrive_on<S: Scalar>(shape: &impl Intersect<S>, eye: Option<Vec3<S>>, lanes: &mut [Lane<S>]) {
     for lane in lanes {
         let ray = Ray::new(eye.unwrap_or(lane.ray.origin), lane.ray.direction);
         lane.arrive(shape.surface(&ray, &lane.crossing()));

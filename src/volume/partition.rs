@@ -62,10 +62,14 @@ impl<S: Scalar> Course<S> {
     /// Finds where a ray is in a grid and in an interval; `None` where it is not.
     pub fn of(grid: &Grid<S>, ray: &Ray<S>, interval: &Interval<S>) -> Option<Self> {
         let (mut enter, mut leave) = (interval.near, interval.far);
-        let (low, high) = (grid.low.to_array(), grid.high().to_array());
-        let slabs =
-            low.into_iter().zip(high).zip(ray.origin.to_array().into_iter().zip(ray.direction.to_array()));
-        for ((low, high), (o, d)) in slabs {
+        let (low, high, Ray { origin, direction }) = (grid.low, grid.high(), *ray);
+        let slabs = [
+            [low.x, high.x, origin.x, direction.x],
+            [low.y, high.y, origin.y, direction.y],
+            [low.z, high.z, origin.z, direction.z],
+        ];
+        // Arrays zipped by value would lie on the stack twice.
+        for &[low, high, o, d] in &slabs {
             if d == S::ZERO {
                 if o < low || o > high {
                     return None;

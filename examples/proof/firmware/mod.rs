@@ -47,7 +47,6 @@ fn prove_turns<S: Gallery>(turns: u32) {
 }
 
 fn prove_gallery<S: Gallery>() {
-    say(&["workspace ", text(&Decimal::new(frames::workspace_bytes::<S>() as u32))]);
     // Nothing is known of the scenes when this is compiled.
     for view in black_box(S::views()) {
         for (way, name) in WAYS.iter().enumerate() {
@@ -56,12 +55,13 @@ fn prove_gallery<S: Gallery>() {
     }
 }
 
-/// Says `SCENE WAY CHECKSUM STACK`; nothing of a picture that the core refuses to draw.
+/// Says `SCENE WAY CHECKSUM STACK`, the stack without what the caller holds; nothing of a picture that the core
+/// refuses to draw.
 #[inline(never)]
 fn prove_picture<S: Gallery>(view: &View<S>, way: usize, name: &str) {
     stack::paint();
     let Ok(checksum) = frames::checksum(view, way) else { return };
-    let used = stack::used();
+    let used = stack::used().wrapping_sub(frames::held_bytes::<S>(way) as u32);
     say(&[view.name, " ", name, " ", text(&Decimal::new(checksum)), " ", text(&Decimal::new(used))]);
 }
 

@@ -12,12 +12,12 @@ pub struct Picture {
     pub way: String,
     /// FNV-1a of the bytes that a panel would get.
     pub checksum: u32,
-    /// Bytes of the stack at its deepest, the workspace included.
+    /// Bytes of the stack at its deepest, beside the workspace, the row and the renderer.
     pub stack: u32,
 }
 
-/// Lets a chip draw the gallery; answers the bytes of its workspace and the pictures.
-pub(super) fn draw(chip: &Chip, image: &Image) -> Result<(u32, Vec<Picture>), Failure> {
+/// Lets a chip draw the gallery.
+pub(super) fn draw(chip: &Chip, image: &Image) -> Result<Vec<Picture>, Failure> {
     let said = run(chip, image, PATIENCE)?;
     understand(&said).ok_or(Failure::Firmware(said))
 }
@@ -34,10 +34,8 @@ pub(super) fn run(chip: &Chip, image: &Image, patience: Duration) -> Result<Stri
     listen(chip.emulator, &mut emulator, patience)
 }
 
-fn understand(said: &str) -> Option<(u32, Vec<Picture>)> {
-    let mut lines = said.lines();
-    let workspace = lines.next()?.strip_prefix("workspace ")?.parse().ok()?;
-    let pictures = lines.map(|line| {
+fn understand(said: &str) -> Option<Vec<Picture>> {
+    let pictures = said.lines().map(|line| {
         let mut words = line.split(' ');
         let mut word = || words.next();
         Some(Picture {
@@ -47,7 +45,7 @@ fn understand(said: &str) -> Option<(u32, Vec<Picture>)> {
             stack: word()?.parse().ok()?,
         })
     });
-    Some((workspace, pictures.collect::<Option<_>>()?))
+    pictures.collect()
 }
 
 #[cfg(test)]
@@ -56,11 +54,11 @@ mod tests {
 
     #[test]
     fn words_that_are_no_picture_are_not_passed_over() {
-        let said = "workspace 1564\nsimple exact 4294967295 5560\n";
+        let said = "simple exact 4294967295 1560\n";
         let picture =
-            Picture { scene: "simple".into(), way: "exact".into(), checksum: u32::MAX, stack: 5560 };
-        assert_eq!(understand(said), Some((1564, vec![picture])));
+            Picture { scene: "simple".into(), way: "exact".into(), checksum: u32::MAX, stack: 1560 };
+        assert_eq!(understand(said), Some(vec![picture]));
         assert_eq!(understand(&format!("{said}failed: the processor faulted\n")), None);
-        assert_eq!(understand("simple exact 1 5560\n"), None);
+        assert_eq!(understand("simple exact 1\n"), None);
     }
 }

@@ -28,8 +28,16 @@ use crate::shot::Number;
 pub use emulator::Picture;
 use image::Kind;
 
-/// Is the most bytes of stack that a picture may take beside the workspace; edges sampled by an M0+ take the most.
-pub const MOST_STACK: u32 = 5376;
+/// Is the most bytes of stack that a picture of one ray a pixel may take beside what the caller holds: the workspace,
+/// the row and the renderer; an M0+ that asks a mesh for shadows takes the most.
+pub const MOST_STACK: u32 = 2432;
+
+/// Is the same of pictures that are filled in, sampled, refined, seen through foreign hierarchies or rasterised;
+/// adaptive rows keep a block of 65 samples, 800 bytes.
+pub const MOST_STACK_OTHERWISE: u32 = 3456;
+
+/// Names the ways of drawing that trace one ray a pixel, row by row.
+const PLAIN: [&str; 3] = ["exact", "panels", "turned"];
 
 /// Lists the numbers that chips compute in.
 pub const NUMBERS: [Number; 2] = [Number::F32, Number::Fixed];
@@ -64,16 +72,17 @@ pub struct Proof {
     pub code: u64,
     /// Where a panic may begin.
     pub panics: Vec<Panic>,
-    /// Bytes of the workspace.
-    pub workspace: u32,
     /// The pictures that the chip drew.
     pub pictures: Vec<Picture>,
 }
 
 impl Proof {
-    /// Answers the picture that takes the most stack.
-    pub fn deepest(&self) -> Option<&Picture> {
-        self.pictures.iter().max_by_key(|picture| picture.stack)
+    /// Answers the pictures that take the most stack: of those of one ray a pixel, and of the others.
+    pub fn deepest(&self) -> [Option<&Picture>; 2] {
+        [true, false].map(|plain| {
+            let alike = self.pictures.iter().filter(|picture| picture.is_plain() == plain);
+            alike.max_by_key(|picture| picture.stack)
+        })
     }
 
     /// Answers a complaint for each panic that is possible, each picture that is not the host's, and a stack that is
@@ -83,12 +92,27 @@ impl Proof {
         let panics = self.panics.iter().map(|panic| format!("{of} may panic: {panic}"));
         let differences = sums.differences(self.number.name(), &self.pictures);
         let differences = differences.into_iter().map(|difference| format!("{of}: {difference}"));
-        let deep = self.deepest().filter(|picture| picture.stack > self.workspace + MOST_STACK);
-        let deep = deep.map(|Picture { scene, way, stack, .. }| {
-            let beside = stack - self.workspace;
-            format!("{of}: {scene}, {way} takes {beside} bytes of stack beside the workspace: {MOST_STACK} are allowed")
+        let deep =
+            self.deepest().into_iter().flatten().filter(|picture| picture.stack > picture.most_stack());
+        let deep = deep.map(|picture| {
+            let (Picture { scene, way, stack, .. }, most) = (picture, picture.most_stack());
+            format!(
+                "{of}: {scene}, {way} takes {stack} bytes of stack beside what the caller holds: {most} are allowed"
+            )
         });
         panics.chain(differences).chain(deep).collect()
+    }
+}
+
+impl Picture {
+    /// Tells whether it was drawn with one ray a pixel, row by row.
+    fn is_plain(&self) -> bool {
+        PLAIN.contains(&self.way.as_str())
+    }
+
+    /// Answers the bytes of stack that it may take.
+    fn most_stack(&self) -> u32 {
+        if self.is_plain() { MOST_STACK } else { MOST_STACK_OTHERWISE }
     }
 }
 
@@ -107,8 +131,8 @@ fn prove_in(chip: &'static Chip, number: Number, begin: &mut dyn FnMut(&str)) ->
     begin("seeking panics");
     let (panics, code) = (panics::panics(&image)?, image::code_bytes(&image)?);
     begin("drawing");
-    let (workspace, pictures) = emulator::draw(chip, &image)?;
-    Ok(Proof { chip, number, code, panics, workspace, pictures })
+    let pictures = emulator::draw(chip, &image)?;
+    Ok(Proof { chip, number, code, panics, pictures })
 }
 
 /// Answers the panics that are found in an image with planted ones.
@@ -117,4 +141,23 @@ fn prove_in(chip: &'static Chip, number: Number, begin: &mut dyn FnMut(&str)) ->
 /// What keeps the image from being built.
 pub fn planted(chip: &Chip, number: Number) -> Result<Vec<Panic>, Failure> {
     panics::panics(&image::build(chip, number, Kind::Planted)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stack_that_is_too_deep_for_its_way_is_named() {
+        let picture =
+            |way: &str, stack| Picture { scene: "simple".into(), way: way.into(), checksum: 0, stack };
+        let too_deep = |pictures| {
+            let proof = Proof { chip: &CHIPS[0], number: Number::F32, code: 0, panics: vec![], pictures };
+            proof.complaints(&Sums::default()).iter().filter(|text| text.contains("bytes of stack")).count()
+        };
+        let [most, other] = [MOST_STACK, MOST_STACK_OTHERWISE];
+        assert_eq!(too_deep(vec![picture("turned", most), picture("at-edges", other)]), 0);
+        assert_eq!(too_deep(vec![picture("turned", most + 1), picture("at-edges", other)]), 1);
+        assert_eq!(too_deep(vec![picture("turned", most), picture("at-edges", other + 1)]), 1);
+    }
 }

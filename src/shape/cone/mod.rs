@@ -77,6 +77,13 @@ impl<S: Scalar> Cone<S> {
         Some(Frame { middle: self.base + self.half(), axis, half, slant: [cosine, sine], width })
     }
 
+    /// Answers how far a disc of radius 1 across the axis reaches along each of the world's axes; `None` when base
+    /// and apex coincide.
+    #[inline(never)]
+    fn reach_across(&self) -> Option<Vec3<S>> {
+        self.frame().map(|frame| frame.reach_across())
+    }
+
     /// Answers where a ray enters and leaves the solid.
     #[inline(never)]
     fn passage(&self, ray: &Ray<S>) -> Option<Passage<S>> {
@@ -160,13 +167,14 @@ impl<S: Scalar> Intersect<S> for Cone<S> {
 
     #[inline(never)]
     fn hull(&self) -> Hull<S> {
-        self.frame().map_or(Hull::Everything, |frame| {
-            let around = frame.reach_across();
-            let ends = [(self.base, self.base_radius), (self.apex, self.apex_radius)];
-            let [[a, b], [c, d]] =
-                ends.map(|(end, radius)| [-radius, radius].map(|reach| add_scaled(end, around, reach)));
-            Hull::Box(Aabb::around(&[a, b, c, d]))
-        })
+        let Some(around) = self.reach_across() else { return Hull::Everything };
+        let rim = |end: &Vec3<S>, reach: S| add_scaled(*end, around, reach);
+        Hull::Box(Aabb::around(&[
+            rim(&self.base, -self.base_radius),
+            rim(&self.base, self.base_radius),
+            rim(&self.apex, -self.apex_radius),
+            rim(&self.apex, self.apex_radius),
+        ]))
     }
 
     #[inline(never)]
