@@ -206,7 +206,7 @@ mod tests {
 
     fn check<S: Scalar>(make: fn(f64) -> S) {
         let at = |x: f64, y: f64, z: f64| Vec3::new(make(x), make(y), make(z));
-        // From a cube of side 1 in the origin, whose ball is taken to be of radius 1, up to a lamp at a height of 10.
+        // From a cube of side 1 in the origin, its ball taken to be of radius 1, to a lamp 10 above.
         let beam = Beam::new(Vec3::ZERO, S::HALF, &Light::point(at(0.0, 10.0, 0.0), Rgb::WHITE));
         let ball: fn(Vec3<S>) -> Hull<S> = |center| Hull::Ball { center, radius: S::ONE };
         let cuboid = |center| Hull::Box(Aabb { center, half: Vec3::new(S::ONE, S::ONE, S::ONE) });
