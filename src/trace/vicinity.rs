@@ -204,11 +204,39 @@ impl<S: Scalar> Beam<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Fixed;
+    use crate::{Fixed, Rgb};
 
     #[test]
     fn a_cube_not_laid_yet_holds_no_point_not_even_the_origin() {
         assert!(!Vicinity::<f32>::NOWHERE.contains(Vec3::ZERO));
         assert!(!Vicinity::<Fixed>::NOWHERE.contains(Vec3::ZERO));
+    }
+
+    fn check<S: Scalar>(make: fn(f64) -> S) {
+        let at = |x: f64, y: f64, z: f64| Vec3::new(make(x), make(y), make(z));
+        // From a cube of side 1 in the origin, its ball taken to be of radius 1, to a lamp 10 above.
+        let beam = Beam::new(Vec3::ZERO, S::HALF, &Light::point(at(0.0, 10.0, 0.0), Rgb::WHITE));
+        let ball: fn(Vec3<S>) -> Hull<S> = |center| Hull::Ball { center, radius: S::ONE };
+        let cuboid = |center| Hull::Box(Aabb { center, half: Vec3::new(S::ONE, S::ONE, S::ONE) });
+        let ground = |height| Hull::Plane { point: at(0.0, height, 0.0), normal: at(0.0, 1.0, 0.0) };
+        for hull in [ball, cuboid] {
+            for inside in [at(1.9, 5.0, 0.0), at(0.0, 5.0, -1.9), at(0.0, 11.9, 0.0), at(0.0, -1.9, 0.0)] {
+                assert!(beam.meets(&hull(inside)), "{inside:?}");
+            }
+            for beside in [at(2.1, 5.0, 0.0), at(0.0, 5.0, -2.1), at(0.0, 12.1, 0.0), at(0.0, -2.1, 0.0)] {
+                assert!(!beam.meets(&hull(beside)), "{beside:?}");
+            }
+        }
+        // Between a ball and the edge of its box.
+        assert!(!beam.meets(&ball(at(1.6, 5.0, 1.6))));
+        assert!([-0.9, 5.0, 10.9].iter().all(|height| beam.meets(&ground(*height))));
+        assert!([-1.1, 11.1].iter().all(|height| !beam.meets(&ground(*height))));
+    }
+
+    #[test]
+    fn what_stands_beside_the_beam_of_a_lamp_is_left_out() {
+        check(|x| x as f32);
+        check(Fixed::new);
+        check(|x| x);
     }
 }

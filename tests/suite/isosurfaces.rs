@@ -128,12 +128,28 @@ mod checks {
         let crossing = surface.intersect(&ray, &Interval::AHEAD).expect("the corner");
         assert!(read(surface.surface(&ray, &crossing).normal.dot(ray.direction)) > 0.9, "seen from inside");
     }
+
+    pub fn a_body_that_reaches_any_side_of_the_grid_is_open<S: Scalar>(
+        make: fn(f64) -> S,
+        read: fn(S) -> f64,
+    ) {
+        let kit = Kit(make, read);
+        // The middle of 3 x 3 x 3 voxels, and that of one side with it.
+        for (beside, closed) in
+            [(13, true), (4, false), (22, false), (10, false), (16, false), (12, false), (14, false)]
+        {
+            let values: Vec<u8> = (0..27).map(|n| if n == 13 || n == beside { 200 } else { 0 }).collect();
+            let surface = Isosurface::new(cube(&kit, values.leak(), 3, -1.0, 1.0), make(100.0));
+            assert_eq!(surface.is_closed(), closed, "voxel {beside}");
+        }
+    }
 }
 
 in_every_number!(
     the_surface_of_a_sampled_ball_is_the_ball_within_a_tenth_of_a_cell,
     no_ray_passes_through_the_surface_in_noise,
     where_the_grid_cuts_a_body_open_its_inside_is_seen,
+    a_body_that_reaches_any_side_of_the_grid_is_open,
 );
 
 use scanray::hit::Crossing;

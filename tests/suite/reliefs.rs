@@ -86,6 +86,24 @@ fn a_ball_with_a_level_relief_is_the_larger_ball() {
 }
 
 #[test]
+fn from_inside_a_relief_its_far_side_is_met() {
+    fn check<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        // 102 is two fifths of 255: everywhere the surface is 1 from the middle.
+        let ball = Sphere::new(Vec3::ZERO, make(0.8));
+        let moved = Displaced::new(ball, Image::new(Bitmap::new(&LEVEL)), S::HALF);
+        let ray = Ray::new(Vec3::new(make(0.9), S::ZERO, S::ZERO), Vec3::new(-S::ONE, S::ZERO, S::ZERO));
+        let crossing = moved.intersect(&ray, &Interval::AHEAD).expect("the far side");
+        let t = read(crossing.t);
+        assert!((t - 1.9).abs() < 2e-5, "met after {t}");
+        let normal = moved.surface(&ray, &crossing).normal;
+        assert!((read(normal.x) + 1.0).abs() < 1e-4, "outward: {normal:?}");
+        assert!(moved.occludes(&ray, &Interval::AHEAD));
+        assert!(!moved.occludes(&ray, &Interval::new(S::ZERO, S::ONE)));
+    }
+    in_every_number!(check);
+}
+
+#[test]
 fn a_relief_moves_the_points_that_rays_meet() {
     fn check<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
         // Around the equator 0, 100, 200 and back to 0; the seam is at +x.

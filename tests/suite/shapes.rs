@@ -13,6 +13,7 @@ in_every_number! {
     a_clipped_near_side_shows_the_far_side,
     a_ray_that_leaves_a_ball_meets_it_again_only_inward,
     a_large_ball_has_its_points_on_its_surface,
+    a_ball_blocks_where_a_crossing_lies_on_the_way,
     what_bounces_off_a_box_does_not_meet_it_again,
     a_ray_along_a_face_of_a_box_counts_as_inside,
     each_face_of_a_box_is_named_and_faces_outward,
@@ -99,6 +100,23 @@ mod checks {
             // A step of f32 at 1000 is 6e-5; fixed point comes within a few of its own.
             let is_float = read(make(1e-7)) > 0.0;
             assert!(off.abs() < if is_float { 2e-4 } else { 4e-6 }, "off by {off}");
+        }
+    }
+
+    pub fn a_ball_blocks_where_a_crossing_lies_on_the_way<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let kit = Kit(make, read);
+        let ball = Sphere::new(kit.v(0.0, 0.0, 0.0), make(1.0));
+        // From before it, from within it on both sides of its middle, and from behind it.
+        for start in [-3.0, -0.5, 0.5, 3.0] {
+            let ray = kit.ray([0.0, 0.0, start], [0.0, 0.0, 1.0]);
+            for (near, far) in
+                [(0.0, 0.2), (0.0, 0.8), (0.0, 2.8), (0.0, 9.0), (0.7, 9.0), (1.7, 3.0), (2.6, 9.0)]
+            {
+                let on_the_way = |t: f64| near < t && t < far;
+                let crossed = on_the_way(-1.0 - start) || on_the_way(1.0 - start);
+                let blocked = ball.occludes(&ray, &Interval::new(make(near), make(far)));
+                assert_eq!(blocked, crossed, "from {start}, {near} to {far}");
+            }
         }
     }
 

@@ -42,3 +42,34 @@ impl<S: Scalar> Hyperbola<S> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Fixed;
+
+    fn check<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {
+        let from = |x: f64| {
+            let line = Hyperbola {
+                at: [make(x), make(100.0 + 1.0 / 1024.0)],
+                toward: [S::ONE, S::ZERO],
+                beside: S::ZERO,
+            };
+            line.inside().expect("a line between the branch's arms").map(read)
+        };
+        // The arms are at x = -100 - 1/1024 and x = 100 + 1/1024.
+        let near = |[low, high]: [f64; 2], expected: [f64; 2], [coarse, fine]: [f64; 2]| {
+            let off = [(low - expected[0]).abs(), (high - expected[1]).abs()];
+            assert!(off[0] < coarse && off[1] < fine, "{low} to {high} instead of {expected:?}");
+        };
+        near(from(100.0), [-200.0 - 1.0 / 1024.0, 1.0 / 1024.0], [1e-3, 2e-5]);
+        near(from(-100.0), [-1.0 / 1024.0, 200.0 + 1.0 / 1024.0], [2e-5, 1e-3]);
+    }
+
+    #[test]
+    fn beside_a_far_arm_a_near_one_keeps_its_digits() {
+        check(|x| x as f32, f64::from);
+        check(Fixed::new, Fixed::to_f64);
+        check(|x| x, |x| x);
+    }
+}
