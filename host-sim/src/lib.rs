@@ -7,6 +7,7 @@ pub mod canvas;
 pub mod cli;
 pub mod compare;
 pub mod dither;
+pub mod explain;
 pub mod growth;
 mod image_error;
 pub mod images;

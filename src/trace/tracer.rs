@@ -4,6 +4,7 @@ use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
 use super::pending::Pending;
 use super::shade::{Shader, Site};
+use super::step::Step;
 use super::vicinity::Vicinities;
 use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
@@ -116,6 +117,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             // At most the number of lanes.
             count = count.wrapping_add(1);
             observer.ray(RayKind::Primary);
+            observer.step(lane.number, || Step::SetsOut { ray, interval, candidates: candidates.clone() });
         }
         // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
         let lanes = black_box(lanes.get_mut(..usize::from(count)).unwrap_or_default());
@@ -203,7 +205,13 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             let tile = if O::SEES_TILES { self.scene.sky.tile(lane.ray.direction) } else { 0 };
             observer.met(lane.number, Lane::<S>::NOTHING, tile);
             let sent = self.scene.sky.color(lane.ray.direction);
-            self.add(level, lane, sent, light);
+            let direction = lane.ray.direction;
+            observer.step(lane.number, || Step::Leaves {
+                level,
+                direction,
+                weight: self.weight(level, lane),
+            });
+            self.add(level, lane, sent, light, observer);
             lane.weight = Rgb::BLACK;
         }
     }
@@ -234,10 +242,14 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             observer.met(lane.number, lane.met, tile);
             let (distance, number) = (lane.interval.far, lane.number);
             let facing = slope.abs();
+            observer.step(number, || {
+                let weight = self.weight(level, lane);
+                Step::Meets { level, object: lane.met, distance, surface, direction, weight }
+            });
             let site =
                 Site { surface, material, ambient, direction, facing, distance, from, level, lane: number };
             let sent = self.shader.direct(&site, observer);
-            self.add(level, lane, sent, light);
+            self.add(level, lane, sent, light, observer);
             if !(reflects || splits) {
                 lane.weight = Rgb::BLACK;
                 continue;
@@ -255,13 +267,26 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
 
     /// Adds what a lane's surface or sky sends, as far as it reaches the eye; of what is seen
     /// directly all does, but for the exposure.
-    fn add(&self, level: u8, lane: &Lane<S>, sent: Rgb<S>, light: &mut [Rgb<S>]) {
+    fn add(
+        &self,
+        level: u8,
+        lane: &Lane<S>,
+        sent: Rgb<S>,
+        light: &mut [Rgb<S>],
+        observer: &mut impl Observer,
+    ) {
         let Some(light) = light.get_mut(usize::from(lane.number)) else { return };
         if level > 0 {
             *light += lane.weight * sent;
         } else {
             *light = if self.exposed { self.exposure * sent } else { sent };
         }
+        observer.step(lane.number, || Step::Sends { light: sent, gathered: *light });
+    }
+
+    /// Answers what reaches the eye of the light that a lane brings: of what is seen directly all, exposed.
+    fn weight(&self, level: u8, lane: &Lane<S>) -> Rgb<S> {
+        if level > 0 { lane.weight } else { self.exposure }
     }
 }
 

@@ -29,6 +29,13 @@ pub enum Error {
     Text(ron::Error),
     /// A comparison names neither a scene nor all of them.
     NothingToCompare,
+    /// The picture has no such pixel.
+    NoSuchPixel {
+        /// Column and row that were asked for.
+        pixel: [u32; 2],
+        /// Columns and rows that there are.
+        size: [u32; 2],
+    },
     /// The picture cannot be drawn.
     Render(Refusal),
     /// Something cannot be measured.
@@ -89,6 +96,11 @@ impl fmt::Display for Error {
             Self::NothingToCompare => f.write_str(
                 "there is no scene to compare.\n\
                  Name one, as in `scanray compare simple`, or take `scanray compare --all`.",
+            ),
+            Self::NoSuchPixel { pixel: [x, y], size: [columns, rows] } => write!(
+                f,
+                "there is no pixel {x},{y} in {columns}x{rows} pixels.\n\
+                 Columns and rows count from 0 at the upper left; `--size` takes another size."
             ),
             Self::Render(error) => write!(f, "the picture cannot be drawn: {error}."),
             Self::Bench(failure) => write!(f, "{failure}"),

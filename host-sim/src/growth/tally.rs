@@ -141,6 +141,10 @@ impl Scalar for Tally {
         Self(f64::from_light_bits(bits))
     }
 
+    fn to_f64(self) -> f64 {
+        self.0
+    }
+
     fn next_up(self) -> Self {
         Self(Scalar::next_up(self.0))
     }
