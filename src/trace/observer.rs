@@ -39,7 +39,8 @@ pub trait Observer {
 
     /// Is offered each step of a ray's calculation with its values, in the order in which it is taken.
     ///
-    /// The step is put together only if `step` is called. Of one ray of a packet, by its `lane` as in
+    /// The step is put together only if `step` is called, which owns what it needs: a borrowed local stays in
+    /// memory, 7 instructions a pixel on an M4F. Of one ray of a packet, by its `lane` as in
     /// [`Observer::met`], steps come in order; those of several mix.
     #[inline(always)]
     fn step<'c, S: Scalar>(&mut self, _lane: u8, _step: impl FnOnce() -> Step<'c, S>) {}

@@ -51,7 +51,7 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
             return color;
         }
         let mut sum = site.ambient * color;
-        observer.step(site.lane, || Step::Ambient { color, light: sum });
+        observer.step(site.lane, move || Step::Ambient { color, light: sum });
         for (number, light) in (0..u16::MAX).zip(self.scene.lights) {
             let Some((direction, distance)) = facing(light, &site.surface) else { continue };
             let cosine = brdf::lambert(site.surface.normal, direction);
@@ -62,7 +62,7 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
                 observer.lit(site.lane, number);
                 let (diffuse, highlight) = (color * cosine, highlight(site, direction, cosine));
                 let sent = arriving * (diffuse + highlight);
-                observer.step(site.lane, || Step::Lit {
+                observer.step(site.lane, move || Step::Lit {
                     light: number,
                     arriving,
                     cosine,
@@ -91,7 +91,11 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
         }
         observer.ray(RayKind::Shadow);
         let point = site.surface.point;
-        observer.step(site.lane, || Step::Asks { light: number, ray: Ray::new(point, direction), distance });
+        observer.step(site.lane, move || Step::Asks {
+            light: number,
+            ray: Ray::new(point, direction),
+            distance,
+        });
         let query = || Query {
             ray: Ray::new(point, direction),
             interval: Interval::new(S::ZERO, distance),

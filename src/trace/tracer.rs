@@ -117,7 +117,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             // At most the number of lanes.
             count = count.wrapping_add(1);
             observer.ray(RayKind::Primary);
-            observer.step(lane.number, || Step::SetsOut { ray, interval, candidates: candidates.clone() });
+            let candidates = candidates.clone();
+            observer.step(lane.number, move || Step::SetsOut { ray, interval, candidates });
         }
         // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
         let lanes = black_box(lanes.get_mut(..usize::from(count)).unwrap_or_default());
@@ -205,12 +206,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             let tile = if O::SEES_TILES { self.scene.sky.tile(lane.ray.direction) } else { 0 };
             observer.met(lane.number, Lane::<S>::NOTHING, tile);
             let sent = self.scene.sky.color(lane.ray.direction);
-            let direction = lane.ray.direction;
-            observer.step(lane.number, || Step::Leaves {
-                level,
-                direction,
-                weight: self.weight(level, lane),
-            });
+            let (direction, weight) = (lane.ray.direction, self.weight(level, lane));
+            observer.step(lane.number, move || Step::Leaves { level, direction, weight });
             self.add(level, lane, sent, light, observer);
             lane.weight = Rgb::BLACK;
         }
@@ -242,9 +239,14 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             observer.met(lane.number, lane.met, tile);
             let (distance, number) = (lane.interval.far, lane.number);
             let facing = slope.abs();
-            observer.step(number, || {
-                let weight = self.weight(level, lane);
-                Step::Meets { level, object: lane.met, distance, surface, direction, weight }
+            let (object, weight) = (lane.met, self.weight(level, lane));
+            observer.step(number, move || Step::Meets {
+                level,
+                object,
+                distance,
+                surface,
+                direction,
+                weight,
             });
             let site =
                 Site { surface, material, ambient, direction, facing, distance, from, level, lane: number };
@@ -281,7 +283,8 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         } else {
             *light = if self.exposed { self.exposure * sent } else { sent };
         }
-        observer.step(lane.number, || Step::Sends { light: sent, gathered: *light });
+        let gathered = *light;
+        observer.step(lane.number, move || Step::Sends { light: sent, gathered });
     }
 
     /// Answers what reaches the eye of the light that a lane brings: of what is seen directly all, exposed.

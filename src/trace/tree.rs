@@ -34,10 +34,8 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
         loop {
             if lane.splits() {
                 let refracted = self.split(&mut lane, &mut within);
-                observer.step(lane.number, || Step::Splits {
-                    reflected: lane.weight,
-                    refracted: refracted.weight,
-                });
+                let (reflected, through) = (lane.weight, refracted.weight);
+                observer.step(lane.number, move || Step::Splits { reflected, refracted: through });
                 if let Some(place) = self.pending.get_mut(waiting).filter(|_| refracted.weight.max() > faint)
                 {
                     *place = Pending { level: level.saturating_add(1), ..refracted };

@@ -28,7 +28,7 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
             if veil.transparency < S::ONE {
                 observer.met(lane.number, VOLUME, veil.mark);
                 let Veil { color, transparency, .. } = *veil;
-                observer.step(lane.number, || Step::Veiled { color, transparency });
+                observer.step(lane.number, move || Step::Veiled { color, transparency });
             }
         }
         self.follow(lanes, light, observer);
