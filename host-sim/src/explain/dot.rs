@@ -18,7 +18,7 @@ impl Explanation {
             for (ray, shine) in self.light_rays(node) {
                 let (name, light) = (&ray.name, quoted(self.names.light(ray.light)));
                 let style = if matches!(shine, Shine::Lit(_)) { "solid" } else { "dashed" };
-                let _ = writeln!(text, "  {name} [label=\"{name}\n{light}\" shape=ellipse];");
+                let _ = writeln!(text, "  {name} [label=\"{name}\\n{light}\" shape=ellipse];");
                 let _ = writeln!(text, "  {} -> {name} [style={style}];", node.name);
             }
         }
@@ -36,8 +36,11 @@ impl Explanation {
         let visit = self.drawn().visit(node.place);
         let object = visit.and_then(|visit| visit.surface.as_ref()).map(|surface| surface.object);
         let [r, g, b] = visit.map_or([0.0; 3], |visit| visit.weight.0);
-        let weight =
-            if r == g && g == b { format!("weight {r:.3}") } else { format!("weight {r:.2} {g:.2} {b:.2}") };
+        let weight = match r {
+            _ if r != g || g != b => format!("weight {r:.2} {g:.2} {b:.2}"),
+            0.0005.. => format!("weight {r:.3}"),
+            _ => format!("weight {r:.0e}"),
+        };
         [node.name.clone(), self.names.object(object).to_owned(), weight]
     }
 }

@@ -9,7 +9,10 @@ const RADIUS: f64 = 17.0;
 const GAP: f64 = 14.0;
 const LEVEL: f64 = 168.0;
 const MARGIN: f64 = 28.0;
-const HEAD: f64 = 46.0;
+const HEAD: f64 = 66.0;
+/// Says what the fields of colour are, and how wide that is.
+const LEGEND: &str = "In a box: what the place sends itself, and what the ray brings to the pixel.";
+const LEAST_WIDTH: f64 = 470.0;
 
 impl Explanation {
     /// Answers the rays that the column has of which trees are drawn.
@@ -37,8 +40,10 @@ impl Explanation {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"12\">\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"#16181c\"/>\n\
-             <text x=\"{MARGIN}\" y=\"{MARGIN}\" fill=\"#d6dae0\" font-size=\"15\">{}</text>\n",
+             <text x=\"{MARGIN}\" y=\"{MARGIN}\" fill=\"#d6dae0\" font-size=\"15\">{}</text>\n\
+             <text x=\"{MARGIN}\" y=\"{}\" fill=\"#8a919c\">{LEGEND}</text>\n",
             escaped(&self.title()),
+            MARGIN + 20.0,
         );
         for (node, place) in &places.rays {
             let parent = node.parent.and_then(|parent| self.tree.get(parent));
@@ -133,7 +138,7 @@ impl<'e> Layout<'e> {
         if let Some(root) = nodes.first() {
             layout.put(explanation, &nodes, root, 0);
         }
-        layout.size = [layout.size[0] - GAP + MARGIN, layout.size[1] + MARGIN];
+        layout.size = [(layout.size[0] - GAP + MARGIN).max(LEAST_WIDTH), layout.size[1] + MARGIN];
         layout
     }
 

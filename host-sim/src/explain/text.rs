@@ -71,14 +71,15 @@ impl Explanation {
 
     /// Says which objects the spans of the row leave to the pixel.
     fn offered(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let count = self.shot.scene.double.scene.objects.len();
         for column in &self.columns {
-            let count = self.shot.scene.double.scene.objects.len();
             write!(f, "  in {:7} ", column.name)?;
-            match &column.offered {
+            match column.offered.as_deref() {
                 None => writeln!(
                     f,
-                    "it is offered no object of {count}: the pixel takes the sky's light without it"
+                    "it is offered none of {count} objects: no ray is needed for the sky's light"
                 )?,
+                Some([]) => writeln!(f, "it is offered none of {count} objects")?,
                 Some(offered) => {
                     let names = offered.iter().map(|index| self.names.object(Some(usize::from(*index))));
                     let names: Vec<_> = names.collect();
@@ -101,13 +102,14 @@ impl Explanation {
         ray: &LightRay,
         shine: impl Fn(&Column) -> Option<Shine>,
     ) -> fmt::Result {
-        writeln!(f, "  {} to {}", ray.name, self.names.light(ray.light))?;
-        self.words(f, "", |column| match shine(column) {
+        let word = |column: &Column| match shine(column) {
             None => "-".to_owned(),
             Some(Shine::Away) => "is on the other side".to_owned(),
             Some(Shine::Blocked) => self.blocked(column, ray),
             Some(Shine::Lit(_)) => "arrives".to_owned(),
-        })?;
+        };
+        writeln!(f, "  {} to {}", ray.name, self.names.light(ray.light))?;
+        self.words(f, "  it", word)?;
         let lit = |column: &Column| shine(column).and_then(|shine| shine.lit().copied());
         self.triple(f, "  arriving", |column| Some(lit(column)?.arriving))?;
         self.row(f, "  cosine", |column| Some(vec![lit(column)?.cosine]))?;

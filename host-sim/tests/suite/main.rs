@@ -10,6 +10,7 @@ mod cli_compare;
 mod cli_pictures;
 mod desk;
 mod dither;
+mod explain;
 mod figures;
 mod growth;
 mod hierarchies;
