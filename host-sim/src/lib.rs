@@ -6,6 +6,7 @@ pub mod bench;
 pub mod canvas;
 pub mod cli;
 pub mod compare;
+pub mod cost;
 pub mod dither;
 pub mod explain;
 pub mod growth;

@@ -1,4 +1,5 @@
 use super::bake_args::BakeArgs;
+use super::cost::CostArgs;
 use super::explain::ExplainArgs;
 use super::hierarchies_args::HierarchiesArgs;
 use super::look::{Curve, Look, size};
@@ -46,6 +47,8 @@ pub(super) enum Command {
     Compare(CompareArgs),
     /// Tell ray by ray how the light of a pixel comes about, in f32 and fixed point beside the reference
     Explain(ExplainArgs),
+    /// Count what each pixel costs - rays, shapes asked, operations - and draw it as a map of heat
+    Cost(CostArgs),
     /// Draw a scene by the tracer and by the z-buffer side by side, and tell what each has done
     Approaches(ApproachesArgs),
     /// Draw a scene for three panels by each way of rounding, and measure what it does to local means

@@ -23,6 +23,8 @@ pub enum Error {
     Bake(bake::Failure),
     /// A scene cannot be written as a file.
     Export(Unsayable),
+    /// A scene cannot be counted.
+    Uncounted(Unsayable),
     /// A scene with images, meshes or voxels is to be written where no files can stand beside it.
     FilesToTerminal,
     /// The text of a scene file cannot be made.
@@ -88,6 +90,7 @@ impl fmt::Display for Error {
             Self::Model(mistake) => mistake.fmt(f),
             Self::Bake(failure) => write!(f, "the scene cannot be baked: {failure}."),
             Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),
+            Self::Uncounted(unsayable) => write!(f, "the scene cannot be counted: {unsayable}."),
             Self::FilesToTerminal => f.write_str(
                 "the scene has images, meshes or voxels: they are written beside its file, and a terminal has no room for them.\n\
                  `-o FILE.ron` names a file.",

@@ -192,6 +192,7 @@ fn help_is_no_error_and_gives_examples() {
         "show",
         "progressive",
         "compare",
+        "cost",
         "explain",
         "dither",
         "hierarchies",

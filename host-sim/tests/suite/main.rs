@@ -8,6 +8,7 @@ mod classics;
 mod cli;
 mod cli_compare;
 mod cli_pictures;
+mod cost;
 mod desk;
 mod dither;
 mod explain;
