@@ -91,17 +91,23 @@ impl Panel {
         }
     }
 
+    /// Answers the highest levels of its channels: three, or one of greys.
+    pub fn tops(self) -> &'static [u8] {
+        match self {
+            Self::Rgb565 => &Rgb565::TOPS,
+            Self::Rgb666 => &Rgb666::TOPS,
+            Self::Rgb888 => &Rgb888::TOPS,
+            Self::Gray8 => &[255],
+            Self::Gray4 => &[15],
+            Self::Mono => &[1],
+        }
+    }
+
     /// Answers the levels that a pixel's 8 bits stand for, in steps of 8 bits, without what they round off.
     pub fn exactly(self, shown: [u8; 3]) -> [f64; 3] {
-        let tops = match self {
-            Self::Rgb565 => Rgb565::TOPS,
-            Self::Rgb666 => Rgb666::TOPS,
-            Self::Rgb888 | Self::Gray8 => [255; 3],
-            Self::Gray4 => [15; 3],
-            Self::Mono => [1; 3],
-        };
+        let tops = self.tops();
         std::array::from_fn(|i| {
-            let step = 255.0 / f64::from(tops[i]);
+            let step = 255.0 / f64::from(tops[i % tops.len()]);
             (f64::from(shown[i]) / step).round() * step
         })
     }

@@ -233,6 +233,10 @@ impl Scalar for Fixed {
         (self.bits().clamp(0, (1 << 27) - 1) as u32) << 4
     }
 
+    fn to_f64(self) -> f64 {
+        Self::to_f64(self)
+    }
+
     fn from_light_bits(bits: u32) -> Self {
         Self::of((bits.min(1 << 24) >> 4) as i32)
     }

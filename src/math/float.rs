@@ -172,6 +172,10 @@ macro_rules! float_scalar {
                 bits as $float * (1.0 / 16_777_216.0)
             }
 
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
             fn abs(self) -> Self {
                 // One instruction where there is a floating-point unit; a comparison takes five.
                 <$float>::abs(self)

@@ -104,6 +104,8 @@ pub trait Scalar:
     fn light_bits(self) -> u32;
     /// Converts an integer to light, the way back from [`Self::light_bits`], for at most 2^24.
     fn from_light_bits(bits: u32) -> Self;
+    /// Converts exactly, for those who watch; no picture asks for it.
+    fn to_f64(self) -> f64;
     /// Answers the next larger number, for a value that is not negative.
     fn next_up(self) -> Self;
     /// Tells whether a scene may contain this value: a number, no larger than [`Self::LIMIT`].

@@ -1,4 +1,5 @@
-use crate::trace::{LANES, Observer, RayKind};
+use crate::math::Scalar;
+use crate::trace::{LANES, Observer, RayKind, Step};
 
 /// Marks each ray of a packet by all that it met.
 pub(super) struct Marks<'o, O> {
@@ -44,5 +45,9 @@ impl<O: Observer> Observer for Marks<'_, O> {
     fn lit(&mut self, lane: u8, light: u16) {
         self.note(lane, !u32::from(light));
         self.observer.lit(lane, light);
+    }
+
+    fn step<'c, S: Scalar>(&mut self, lane: u8, step: impl FnOnce() -> Step<'c, S>) {
+        self.observer.step(lane, step);
     }
 }

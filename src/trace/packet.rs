@@ -1,6 +1,8 @@
 use super::departure::Departure;
 use super::lane::{LANES, Lane};
 use super::observer::{Observer, RayKind};
+use super::step::Step;
+use super::visibility::Candidates;
 use crate::color::Rgb;
 use crate::math::Scalar;
 use crate::ray::{Interval, Ray};
@@ -18,13 +20,15 @@ impl<S: Scalar> Packet<S> {
         Self { lanes: [Lane::IDLE; LANES], light: [Rgb::BLACK; LANES] }
     }
 
-    /// Takes up primary rays, as many as there is room for, and answers their number.
+    /// Takes up primary rays, as many as there is room for, and answers their number; an observer is told what they may
+    /// meet.
     ///
     /// Inlined: called, it takes an M0+ 26 instructions more for each ray, whose row then is in memory.
     #[inline(always)]
     pub(super) fn load(
         &mut self,
         rays: impl Iterator<Item = (Ray<S>, Interval<S>)>,
+        candidates: &Candidates<'_>,
         observer: &mut impl Observer,
     ) -> usize {
         let mut count = 0;
@@ -34,6 +38,8 @@ impl<S: Scalar> Packet<S> {
             // At most the number of lanes.
             count = count.wrapping_add(1);
             observer.ray(RayKind::Primary);
+            let candidates = candidates.clone();
+            observer.step(lane.number, move || Step::SetsOut { ray, interval, candidates });
         }
         usize::from(count)
     }

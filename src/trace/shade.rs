@@ -1,6 +1,7 @@
 use super::departure::Departure;
 use super::observer::{Observer, RayKind};
 use super::shadow::Query;
+use super::step::Step;
 use super::vicinity::Vicinities;
 use crate::brdf;
 use crate::color::Rgb;
@@ -50,6 +51,7 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
             return color;
         }
         let mut sum = site.ambient * color;
+        observer.step(site.lane, move || Step::Ambient { color, light: sum });
         for (number, light) in (0..u16::MAX).zip(self.scene.lights) {
             let Some((direction, distance)) = facing(light, &site.surface) else { continue };
             let cosine = brdf::lambert(site.surface.normal, direction);
@@ -58,7 +60,17 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
                 && !self.shadowed(site, number, direction, distance, observer)
             {
                 observer.lit(site.lane, number);
-                sum += arriving * (color * cosine + highlight(site, direction, cosine));
+                let (diffuse, highlight) = (color * cosine, highlight(site, direction, cosine));
+                let sent = arriving * (diffuse + highlight);
+                observer.step(site.lane, move || Step::Lit {
+                    light: number,
+                    arriving,
+                    cosine,
+                    diffuse,
+                    highlight,
+                    sent,
+                });
+                sum += sent;
             }
         }
         sum
@@ -79,6 +91,11 @@ impl<S: Scalar, X: Intersect<S>, const SHADOWS: bool> Shader<'_, '_, S, X, SHADO
         }
         observer.ray(RayKind::Shadow);
         let point = site.surface.point;
+        observer.step(site.lane, move || Step::Asks {
+            light: number,
+            ray: Ray::new(point, direction),
+            distance,
+        });
         let query = || Query {
             ray: Ray::new(point, direction),
             interval: Interval::new(S::ZERO, distance),

@@ -5,6 +5,7 @@ use super::observer::{Observer, RayKind};
 use super::packet::Packet;
 use super::pending::Pending;
 use super::shade::{Shader, Site};
+use super::step::Step;
 use super::vicinity::Vicinities;
 use super::visibility::{Candidates, arrive, nearest};
 use crate::color::Rgb;
@@ -89,7 +90,7 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         candidates: Candidates<'_>,
         observer: &mut impl Observer,
     ) -> &'p [Rgb<S>] {
-        let count = packet.load(rays, observer);
+        let count = packet.load(rays, &candidates, observer);
         let Packet { lanes, light } = packet;
         // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
         let lanes = black_box(lanes.get_mut(..count).unwrap_or_default());
@@ -177,7 +178,9 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             let tile = if O::SEES_TILES { self.scene.sky.tile(lane.ray.direction) } else { 0 };
             observer.met(lane.number, Lane::<S>::NOTHING, tile);
             let sent = self.scene.sky.color(lane.ray.direction);
-            self.add(level, lane, sent, light);
+            let (direction, weight) = (lane.ray.direction, self.weight(level, lane));
+            observer.step(lane.number, move || Step::Leaves { level, direction, weight });
+            self.add(level, lane, sent, light, observer);
             lane.weight = Rgb::BLACK;
         }
     }
@@ -211,10 +214,19 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
             observer.met(lane.number, lane.met, tile);
             let (distance, number) = (lane.interval.far, lane.number);
             let facing = slope.abs();
+            let (object, weight) = (lane.met, self.weight(level, lane));
+            observer.step(number, move || Step::Meets {
+                level,
+                object,
+                distance,
+                surface,
+                direction,
+                weight,
+            });
             let site =
                 Site { surface, material, ambient, direction, facing, distance, from, level, lane: number };
             let sent = self.shader.direct(&site, observer);
-            self.add(level, lane, sent, light);
+            self.add(level, lane, sent, light, observer);
             if !(reflects || splits) {
                 lane.weight = Rgb::BLACK;
                 continue;
@@ -232,13 +244,27 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
 
     /// Adds what a lane's surface or sky sends, as far as it reaches the eye; of what is seen
     /// directly all does, but for the exposure.
-    fn add(&self, level: u8, lane: &Lane<S>, sent: Rgb<S>, light: &mut [Rgb<S>]) {
+    fn add(
+        &self,
+        level: u8,
+        lane: &Lane<S>,
+        sent: Rgb<S>,
+        light: &mut [Rgb<S>],
+        observer: &mut impl Observer,
+    ) {
         let Some(light) = light.get_mut(usize::from(lane.number)) else { return };
         if level > 0 {
             *light += lane.weight * sent;
         } else {
             *light = if self.exposed { self.exposure * sent } else { sent };
         }
+        let gathered = *light;
+        observer.step(lane.number, move || Step::Sends { light: sent, gathered });
+    }
+
+    /// Answers what reaches the eye of the light that a lane brings: of what is seen directly all, exposed.
+    fn weight(&self, level: u8, lane: &Lane<S>) -> Rgb<S> {
+        if level > 0 { lane.weight } else { self.exposure }
     }
 }
 

@@ -2,6 +2,7 @@ use super::departure::Departure;
 use super::lane::Lane;
 use super::observer::{Observer, RayKind};
 use super::pending::{Pending, SPACE};
+use super::step::Step;
 use super::tracer::{Tracer, unit_reflection};
 use crate::color::Rgb;
 use crate::glass::{Glass, refract};
@@ -33,6 +34,8 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
         loop {
             if lane.splits() {
                 let refracted = self.split(&mut lane, &mut within);
+                let (reflected, through) = (lane.weight, refracted.weight);
+                observer.step(lane.number, move || Step::Splits { reflected, refracted: through });
                 if let Some(place) = self.pending.get_mut(waiting).filter(|_| refracted.weight.max() > faint)
                 {
                     *place = Pending { level: level.saturating_add(1), ..refracted };

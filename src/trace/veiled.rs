@@ -1,5 +1,6 @@
 use super::lane::{LANES, Lane};
 use super::observer::Observer;
+use super::step::Step;
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::math::Scalar;
@@ -26,6 +27,8 @@ impl<S: Scalar, X: Intersect<S>> Tracer<'_, '_, S, X> {
             *veil = volume.veil(&lane.ray, &lane.interval, self.scene.lights, self.scene.ambient);
             if veil.transparency < S::ONE {
                 observer.met(lane.number, VOLUME, veil.mark);
+                let Veil { color, transparency, .. } = *veil;
+                observer.step(lane.number, move || Step::Veiled { color, transparency });
             }
         }
         self.follow(lanes, light, observer);

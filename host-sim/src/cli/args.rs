@@ -1,4 +1,6 @@
 use super::bake_args::BakeArgs;
+use super::cost::CostArgs;
+use super::explain::ExplainArgs;
 use super::hierarchies_args::HierarchiesArgs;
 use super::look::{Curve, Look, size};
 use super::prove::ProveArgs;
@@ -43,6 +45,10 @@ pub(super) enum Command {
     Progressive(ProgressiveArgs),
     /// Judge the core's numbers by the f64 reference
     Compare(CompareArgs),
+    /// Tell ray by ray how the light of a pixel comes about, in f32 and fixed point beside the reference
+    Explain(ExplainArgs),
+    /// Count what each pixel costs - rays, shapes asked, operations - and draw it as a map of heat
+    Cost(CostArgs),
     /// Draw a scene by the tracer and by the z-buffer side by side, and tell what each has done
     Approaches(ApproachesArgs),
     /// Draw a scene for three panels by each way of rounding, and measure what it does to local means
@@ -276,7 +282,7 @@ pub(super) struct WalksArgs {
     pub output: PathBuf,
 }
 
-fn judged(text: &str) -> Result<Number, String> {
+pub(super) fn judged(text: &str) -> Result<Number, String> {
     let numbers = [Number::F32, Number::Fixed, Number::Exact];
     let number = numbers.into_iter().find(|number| number.name() == text);
     number.ok_or_else(|| "the numbers judged by the reference are f32, fixed and exact".to_owned())

@@ -23,12 +23,21 @@ pub enum Error {
     Bake(bake::Failure),
     /// A scene cannot be written as a file.
     Export(Unsayable),
+    /// A scene cannot be counted.
+    Uncounted(Unsayable),
     /// A scene with images, meshes or voxels is to be written where no files can stand beside it.
     FilesToTerminal,
     /// The text of a scene file cannot be made.
     Text(ron::Error),
     /// A comparison names neither a scene nor all of them.
     NothingToCompare,
+    /// The picture has no such pixel.
+    NoSuchPixel {
+        /// Column and row that were asked for.
+        pixel: [u32; 2],
+        /// Columns and rows that there are.
+        size: [u32; 2],
+    },
     /// The picture cannot be drawn.
     Render(Refusal),
     /// Something cannot be measured.
@@ -81,6 +90,7 @@ impl fmt::Display for Error {
             Self::Model(mistake) => mistake.fmt(f),
             Self::Bake(failure) => write!(f, "the scene cannot be baked: {failure}."),
             Self::Export(unsayable) => write!(f, "the scene cannot be written: {unsayable}."),
+            Self::Uncounted(unsayable) => write!(f, "the scene cannot be counted: {unsayable}."),
             Self::FilesToTerminal => f.write_str(
                 "the scene has images, meshes or voxels: they are written beside its file, and a terminal has no room for them.\n\
                  `-o FILE.ron` names a file.",
@@ -89,6 +99,11 @@ impl fmt::Display for Error {
             Self::NothingToCompare => f.write_str(
                 "there is no scene to compare.\n\
                  Name one, as in `scanray compare simple`, or take `scanray compare --all`.",
+            ),
+            Self::NoSuchPixel { pixel: [x, y], size: [columns, rows] } => write!(
+                f,
+                "there is no pixel {x},{y} in {columns}x{rows} pixels.\n\
+                 Columns and rows count from 0 at the upper left; `--size` takes another size."
             ),
             Self::Render(error) => write!(f, "the picture cannot be drawn: {error}."),
             Self::Bench(failure) => write!(f, "{failure}"),

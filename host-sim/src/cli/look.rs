@@ -99,7 +99,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     })
 }
 
-fn depth(text: &str) -> Result<u8, String> {
+pub(super) fn depth(text: &str) -> Result<u8, String> {
     let depth = text.parse().ok().filter(|depth| usize::from(*depth) <= MAX_DEPTH);
     depth.ok_or_else(|| format!("a depth is a number from 0 to {MAX_DEPTH}, such as 3"))
 }

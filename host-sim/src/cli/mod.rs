@@ -7,8 +7,10 @@ mod bake;
 mod bake_args;
 mod bench;
 mod compare;
+mod cost;
 mod dither;
 mod error;
+mod explain;
 mod export;
 mod hierarchies;
 mod hierarchies_args;
@@ -77,6 +79,8 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Progressive(args) => progressive::run(args, &mut out)?,
         Command::Compare(args) => compare::run(args, &mut out)?,
         Command::Approaches(args) => approaches::run(args, &mut out)?,
+        Command::Cost(args) => cost::run(args, &mut out)?,
+        Command::Explain(args) => explain::run(args, &mut out)?,
         Command::Dither(args) => dither::run(args, &mut out)?,
         Command::Walks(args) => walks::run(args, &mut out)?,
         Command::Bench(args) => bench::run(args, &mut out)?,

@@ -1,6 +1,7 @@
 //! The words of the command line for the choices that the rest of the crate knows.
 
 use crate::bake::Accel;
+use crate::cost::What;
 use crate::dither::Method;
 use crate::panel::Panel;
 use crate::shot::{Approach, Number, Quality};
@@ -49,6 +50,20 @@ impl ValueEnum for Number {
             Self::Fixed => "The core in fixed point, for chips without one",
             Self::Exact => "The core in f64",
             Self::Oracle => "The f64 reference, which shares no code with the core",
+        }))
+    }
+}
+
+impl ValueEnum for What {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(match self {
+            Self::Rays => "Rays of all kinds",
+            Self::Shapes => "How often a shape is asked whether a ray meets it",
+            Self::Operations => "Sums, products, quotients, roots and powers",
         }))
     }
 }

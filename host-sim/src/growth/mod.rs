@@ -8,7 +8,7 @@ mod tally;
 
 pub use crowd::{Crowd, Thing};
 pub use plot::plot;
-pub use tally::Tally;
+pub use tally::{Operations, Tally};
 
 use crate::bake::{Accel, Bounds, Built};
 use crate::rounded::Rounded;

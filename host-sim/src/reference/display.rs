@@ -75,6 +75,17 @@ impl Display {
     }
 }
 
+/// Answers how bright a panel's channels are to be for a light, in the panel's steps.
+pub fn wanted(output: Output, light: Vector) -> [f64; 3] {
+    Display::of(output).wanted(light)
+}
+
+/// Answers what a panel shows of the last of these lights, in 8 bits a channel: they are those of row `y` from its
+/// left on.
+pub fn shown(output: Output, lights: &[Vector], y: u32) -> [u8; 3] {
+    Display::of(output).row(lights, y as usize).last().copied().unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,8 @@
+use super::account::{Lit, Notes, Shine, Surface, Visit};
 use super::description::{Description, Light, Material, Model};
 use super::reflection::{Way, angle};
 use super::roots::Ray;
-use super::trail::{Stop, Trail};
+use super::trail::Stop;
 use super::vector::Vector;
 
 /// Names the surface a ray starts on: the object and its part.
@@ -14,6 +15,18 @@ struct Arrival {
     point: Vector,
     /// How far the ray has come.
     way: f64,
+}
+
+/// Is a ray's place in the tree of rays.
+struct Branch<'m> {
+    /// Number in the binary tree, as [`Visit::place`] counts.
+    place: u64,
+    /// How many levels there are to go.
+    levels: u8,
+    /// The glass objects around the ray, the outermost first.
+    media: &'m [usize],
+    /// What of its light reaches the eye, but for what the glass around it absorbs.
+    weight: Vector,
 }
 
 /// Is the place whose light is asked for.
@@ -68,15 +81,22 @@ impl Description {
         ray: &Ray,
         counts: impl Fn(Vector) -> bool,
         [near, far]: [f64; 2],
-    ) -> (Vector, Trail) {
-        let mut trail = Trail::new();
+        notes: &mut Notes,
+    ) -> Vector {
         let arrival = self.first(ray, None, |t| counts(ray.point(t)));
         let end = arrival.as_ref().map_or(far, |arrival| arrival.way / ray.direction.norm());
-        let mut light = self.light_of(ray, arrival, self.depth, &self.media_at(ray), &mut trail);
+        let (media, weight) = (self.media_at(ray), Vector([self.exposure; 3]));
+        let root = Branch { place: 1, levels: self.depth, media: &media, weight };
+        let mut light = self.light_of(ray, arrival, &root, notes);
         if let Some(volume) = &self.volume {
-            light = volume.over(light, ray, [near.max(0.0), end], &self.lights, self.ambient);
+            let over = |light| volume.over(light, ray, [near.max(0.0), end], &self.lights, self.ambient);
+            notes.veil(|| {
+                let [black, white] = [0.0, 1.0].map(|light| over(Vector([light; 3])));
+                (black * self.exposure, (white - black).0[0])
+            });
+            light = over(light);
         }
-        (light * self.exposure, trail)
+        light * self.exposure
     }
 
     /// Lists the glass objects around the start of a ray, the outermost first: those whose surface
@@ -91,18 +111,27 @@ impl Description {
         around
     }
 
-    /// Answers the light from where a ray ends, with so many levels to go; `media` lists the glass
-    /// objects around it, the outermost first.
+    /// Answers the light from where a ray ends.
     fn light_of(
         &self,
         ray: &Ray,
         arrival: Option<Arrival>,
-        levels: u8,
-        media: &[usize],
-        trail: &mut Trail,
+        branch: &Branch<'_>,
+        notes: &mut Notes,
     ) -> Vector {
+        let Branch { place: number, levels, media, weight } = *branch;
+        let direction = ray.direction.unit();
         let Some(Arrival { object, part, point, way }) = arrival else {
-            return self.sky.light(ray.direction);
+            let (sent, gathered) = (self.sky.light(ray.direction), Vector::default());
+            notes.visit(|| Visit {
+                place: number,
+                direction: Some(direction),
+                weight,
+                surface: None,
+                sent,
+                gathered,
+            });
+            return sent;
         };
         let left = media.last().and_then(|index| self.objects[*index].material.glass);
         let left = left.map_or(Vector([1.0; 3]), |glass| glass.left_after(way));
@@ -122,23 +151,42 @@ impl Description {
         }
         let point = lit_at;
         let place = Place { material, color, point, normal, to_eye, left: (object, part) };
-        let reached: Vec<bool> = self
+        let flat = material.model == Model::Flat;
+        let lights: Vec<Shine> = self
             .lights
             .iter()
-            .map(|light| material.model != Model::Flat && self.reaches(light, &place))
+            .map(|light| if flat { Shine::Away } else { self.shine(light, &place) })
             .collect();
-        let direct = self.direct_light(&place, &reached);
-        trail.push(Stop { object: self.objects[object].number, part, tile, lights: reached });
+        let ambient = self.ambient.filter(color) * material.ambient;
+        let lit = lights.iter().filter_map(Shine::lit);
+        let direct = if flat { color } else { lit.fold(ambient, |sum, lit| sum + lit.sent) };
+        let reached = lights.iter().map(|shine| shine.lit().is_some()).collect();
+        let weight = weight.filter(left);
+        let number_of_object = self.objects[object].number;
+        notes.trail.push(Stop { object: number_of_object, part, tile, lights: reached });
+        notes.visit(|| {
+            let (ambient, gathered) = ((!flat).then_some([color, ambient]), Vector::default());
+            let surface = Surface { object: number_of_object, distance: way, point, normal, ambient, lights };
+            Visit {
+                place: number,
+                direction: Some(direction),
+                weight,
+                surface: Some(surface),
+                sent: direct,
+                gathered,
+            }
+        });
         let mut sum = direct;
         if levels > 0 {
-            let mut send = |weight: f64, direction: Vector, media: &[usize]| {
-                if weight > 0.0 {
+            let mut send = |share: f64, direction: Vector, media: &[usize], twin: u64| {
+                if share > 0.0 {
                     let onward = Ray { start: point, direction };
                     let arrival = self.first(&onward, Some((object, part)), |_| true);
-                    sum = sum + self.light_of(&onward, arrival, levels - 1, media, trail) * weight;
+                    let place = 2 * number + twin;
+                    let branch = Branch { place, levels: levels - 1, media, weight: weight * share };
+                    sum = sum + self.light_of(&onward, arrival, &branch, notes) * share;
                 }
             };
-            let direction = ray.direction.unit();
             let mirrored = direction - normal * (2.0 * normal.inner(direction));
             if let Some(glass) = &material.glass {
                 let mut onward = media.to_vec();
@@ -147,46 +195,44 @@ impl Description {
                 let around = around.map_or(1.0, |glass| glass.index);
                 let indices = if inside { [glass.index, around] } else { [around, glass.index] };
                 let split = glass.split(direction, normal, indices);
-                send(material.mirror + glass.transmission * split.turned, mirrored, media);
+                send(material.mirror + glass.transmission * split.turned, mirrored, media, 0);
                 if !inside {
                     onward.push(object);
                 }
                 if let Some(through) = split.through {
-                    send(glass.transmission * (1.0 - split.turned), through, &onward);
+                    send(glass.transmission * (1.0 - split.turned), through, &onward, 1);
                 }
             } else {
-                send(material.mirror, mirrored, media);
+                send(material.mirror, mirrored, media, 0);
             }
         }
         left.filter(sum)
     }
 
-    /// Tells whether a light shines on the visible side of a place and nothing stands between.
-    fn reaches(&self, light: &Light, place: &Place<'_>) -> bool {
+    /// Answers what a light does to a place: whether it shines on the visible side and nothing stands between.
+    fn shine(&self, light: &Light, place: &Place<'_>) -> Shine {
         let (direction, end, _) = light.seen_from(place.point);
         let ray = Ray { start: place.point, direction };
         let faces = place.normal.inner(direction) > 0.0 && light.share(place.point) > 0.0;
-        faces && self.first(&ray, Some(place.left), |t| t < end).is_none()
-    }
-
-    /// Sums `Ia kd ka + l kd (n.L) + l ks f`, of the model's factor f, over the lights that reach the place.
-    fn direct_light(&self, place: &Place<'_>, reached: &[bool]) -> Vector {
-        if place.material.model == Model::Flat {
-            return place.color;
+        if !faces {
+            Shine::Away
+        } else if self.first(&ray, Some(place.left), |t| t < end).is_some() {
+            Shine::Blocked
+        } else {
+            Shine::Lit(place.reflected(light))
         }
-        let ambient = self.ambient.filter(place.color) * place.material.ambient;
-        let reaching = self.lights.iter().zip(reached).filter(|(_, reached)| **reached);
-        reaching.map(|(light, _)| place.reflected(light)).fold(ambient, |sum, light| sum + light)
     }
 }
 
 impl Place<'_> {
-    /// Answers the diffuse and specular reflection of an unblocked light.
-    fn reflected(&self, light: &Light) -> Vector {
-        let (direction, _, color) = light.seen_from(self.point);
+    /// Answers the diffuse and specular reflection of an unblocked light: `l kd (n.L) + l ks f`, of the model's
+    /// factor f.
+    fn reflected(&self, light: &Light) -> Lit {
+        let (direction, _, arriving) = light.seen_from(self.point);
         let to_light = direction.unit();
         let cosine = self.normal.inner(to_light);
         let way = Way { normal: self.normal, to_light, to_eye: self.to_eye };
-        color.filter(self.color * cosine + self.material.specular * self.material.shine(&way))
+        let (diffuse, highlight) = (self.color * cosine, self.material.specular * self.material.shine(&way));
+        Lit { arriving, cosine, diffuse, highlight, sent: arriving.filter(diffuse + highlight) }
     }
 }

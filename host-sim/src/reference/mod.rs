@@ -7,8 +7,10 @@
 //! camera matrices, every object asked every time, `powf` and the exact transfer curve.
 //!
 //! Besides light it answers a [`Trail`] for each pixel: all that the ray tree met. Where the trails
-//! of two neighbours differ there is a silhouette, and a rounding error may show either side.
+//! of two neighbours differ there is a silhouette, and a rounding error may show either side. And of a
+//! single pixel it answers an [`Account`]: every ray of its tree with what it brings.
 
+mod account;
 mod camera;
 mod cone;
 mod description;
@@ -33,7 +35,9 @@ mod trail;
 mod vector;
 mod volume;
 
+pub use account::{Account, Lit, Shine, Surface, Visit};
 pub use description::{Description, Output, Unknown};
-pub use picture::{Picture, trace};
+pub use display::{shown, wanted};
+pub use picture::{Picture, account, trace};
 pub use trail::{Stop, Trail};
 pub use vector::Vector;

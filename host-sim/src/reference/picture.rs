@@ -1,3 +1,4 @@
+use super::account::{Account, Notes};
 use super::camera::Lens;
 use super::description::{Description, Output};
 use super::display::Display;
@@ -29,8 +30,8 @@ pub fn trace(description: &Description, size: [u32; 2], mut row_done: impl FnMut
     let [columns, height] = size;
     let row = |y: u32| -> Row {
         let pixel = |x| {
-            let ray = lens.ray(x, y);
-            description.seen_along(&ray, |point| lens.sees(point), lens.span(&ray))
+            let mut notes = Notes::default();
+            (look(description, &lens, [x, y], &mut notes), notes.trail)
         };
         (0..columns).map(pixel).collect()
     };
@@ -53,6 +54,19 @@ pub fn trace(description: &Description, size: [u32; 2], mut row_done: impl FnMut
     });
     let (light, trails) = rows.into_iter().flatten().unzip();
     Picture { size, light, trails }
+}
+
+/// Answers how the light of the pixel in column `x` and row `y` comes about.
+pub fn account(description: &Description, size: [u32; 2], pixel: [u32; 2]) -> Account {
+    let mut notes = Notes::with_account();
+    let light = look(description, &Lens::of(&description.camera, size), pixel, &mut notes);
+    notes.into_account(light)
+}
+
+/// Answers the light of a pixel.
+fn look(description: &Description, lens: &Lens, [x, y]: [u32; 2], notes: &mut Notes) -> Vector {
+    let ray = lens.ray(x, y);
+    description.seen_along(&ray, |point| lens.sees(point), lens.span(&ray), notes)
 }
 
 impl Picture {

@@ -186,8 +186,20 @@ fn a_window_without_a_display_is_refused_with_a_way_out() {
 #[test]
 fn help_is_no_error_and_gives_examples() {
     let desk = Desk::new("help");
-    let commands =
-        ["", "render", "show", "progressive", "compare", "dither", "hierarchies", "list", "export", "bake"];
+    let commands = [
+        "",
+        "render",
+        "show",
+        "progressive",
+        "compare",
+        "cost",
+        "explain",
+        "dither",
+        "hierarchies",
+        "list",
+        "export",
+        "bake",
+    ];
     for command in commands {
         let arguments = format!("{command} --help");
         let output = desk.run(&arguments);
