@@ -32,7 +32,7 @@ pub fn parting(explanation: &Explanation, column: &Column) -> Parting {
     let differences = differences(explanation, column);
     let judged = differences.map(|(what, change)| Difference { what, steps: steps(change) });
     // What is not a number is far from every level.
-    let first = judged.into_iter().find(|difference| !(difference.steps <= 1.0));
+    let first = judged.into_iter().find(|difference| difference.steps > 1.0 || difference.steps.is_nan());
     Parting { step: first, apart: furthest(&column.levels, &reference.levels) }
 }
 
