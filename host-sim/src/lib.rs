@@ -15,6 +15,7 @@ pub mod meshes;
 pub mod model;
 pub mod nff;
 pub mod obj;
+pub mod orbit;
 pub mod panel;
 pub mod picture;
 pub mod png;
