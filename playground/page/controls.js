@@ -29,6 +29,12 @@ export function take(form, { size, depth, dither }) {
   form.dither.value = dither;
 }
 
+/** Tells whether two scenes say the same of their pictures. */
+export function areAlike(one, other) {
+  const said = ({ size, depth, dither }) => JSON.stringify([size, depth, dither]);
+  return said(one) === said(other);
+}
+
 /** Answers what decides the picture, in the core's words. */
 export function look(form, walk) {
   form.side.disabled = ['exact', 'adaptive'].includes(form.quality.value);

@@ -42,18 +42,23 @@ async function open(request, { words, place } = controls.NOTHING) {
   const complaint = request.ask === 'write' ? by('wrong') : by('fault');
   stage.canvas.ariaBusy = 'true';
   const told = await ask(request).catch((fault) => say(complaint, fault));
-  stage.canvas.ariaBusy = String(busy);
-  if (!told.opened) return;
+  if (!told.opened) {
+    stage.canvas.ariaBusy = String(busy);
+    return;
+  }
   [by('fault'), by('wrong')].forEach((complaint) => say(complaint, null));
+  // What a writer has not changed of size, depth and dither stays as it was chosen.
+  if (request.ask === 'open' || !controls.areAlike(scene, told.opened)) controls.take(form, told.opened);
   scene = told.opened;
   walk.reach = scene.reach;
   by('about').textContent = scene.about;
   stage.canvas.setAttribute('aria-label', `${scene.name} on the panel`);
   if (request.ask === 'open') {
-    controls.take(form, scene);
     controls.restore(form, words);
     walk.go(place);
     editor.show((await ask({ ask: 'text' }).catch((fault) => say(by('wrong'), fault))).text ?? '');
+  } else {
+    walk.go(walk.place);
   }
   await draw();
 }
