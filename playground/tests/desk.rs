@@ -126,7 +126,7 @@ fn what_there_is_not_is_refused_in_words() {
 
 #[test]
 fn every_choice_that_is_offered_is_taken() {
-    let mut desk = opened("three-spheres");
+    let mut desk = opened("glass");
     let choices = ask(&mut desk, json!({ "ask": "choices" }))["choices"].clone();
     let usual = frame(&mut desk, look("f32"));
     let fields =
