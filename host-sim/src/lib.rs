@@ -1,9 +1,14 @@
 //! The scanray core on a desktop: pictures, panels, the reference they are judged by.
+//!
+//! The feature `desktop`, on by default, adds what needs a terminal, a window, a network or other programs.
 
+#[cfg(feature = "desktop")]
 pub mod animation;
 pub mod bake;
+#[cfg(feature = "desktop")]
 pub mod bench;
 pub mod canvas;
+#[cfg(feature = "desktop")]
 pub mod cli;
 pub mod compare;
 pub mod cost;
@@ -17,10 +22,13 @@ pub mod meshes;
 pub mod model;
 pub mod nff;
 pub mod obj;
+pub mod orbit;
 pub mod panel;
 pub mod picture;
 pub mod png;
+#[cfg(feature = "desktop")]
 pub mod proof;
+#[cfg(feature = "desktop")]
 pub mod race;
 pub mod raster;
 pub mod reference;
@@ -28,7 +36,10 @@ pub mod refine;
 pub mod rounded;
 pub mod scene_file;
 pub mod scenes;
+#[cfg(feature = "desktop")]
+pub mod serve;
 pub mod shot;
+#[cfg(feature = "desktop")]
 pub mod show;
 pub mod suggest;
 pub mod terminal;

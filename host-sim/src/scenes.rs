@@ -51,8 +51,13 @@ pub fn nearest(name: &str) -> Option<&'static str> {
 /// # Errors
 /// What is wrong with the file.
 pub fn read(path: &Path) -> Result<Entry, Failure> {
-    let file: &'static SceneFile = Box::leak(Box::new(SceneFile::read(path)?));
-    Ok(Entry { float: kept(file), fixed: kept(file), double: kept(file), file: Some(file) })
+    SceneFile::read(path).map(keep)
+}
+
+/// Makes a scene of a file that has been read, to stay in memory as those of [`read`] do.
+pub fn keep(file: SceneFile) -> Entry {
+    let file: &'static SceneFile = Box::leak(Box::new(file));
+    Entry { float: kept(file), fixed: kept(file), double: kept(file), file: Some(file) }
 }
 
 /// Rounds the scene of a file to a number, to stay in memory.

@@ -184,7 +184,7 @@ impl Shot {
     }
 
     /// Answers the gallery's view with what this shot changes of it.
-    pub(crate) fn view<S: HostNumber>(&self) -> View<S> {
+    pub fn view<S: HostNumber>(&self) -> View<S> {
         let mut view = *S::view(&self.scene);
         view.camera = self.turn.carry(&camera_in(&self.camera));
         let Self { depth, transfer, dither, .. } = *self;
@@ -192,13 +192,13 @@ impl Shot {
         view
     }
 
-    fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
+    /// Draws the picture with the core's tracer in a number, where there may be no clock.
+    ///
+    /// # Errors
+    /// What keeps the core from drawing it.
+    pub fn draw_in<S: HostNumber>(&self, row_done: impl FnMut(u32)) -> Result<Drawn, RenderError> {
         let view = self.view::<S>();
-        if self.approach == Approach::Raster {
-            return self.rasterize(&view, row_done);
-        }
-        let begin = Instant::now();
-        let drawn = match self.quality {
+        match self.quality {
             Quality::Exact => self.draw(&view, Exact, row_done),
             Quality::Adaptive => self.draw(&view, Adaptive, row_done),
             Quality::Sampled(Sampling { side, jittered, at_edges }) => match (jittered, at_edges) {
@@ -207,7 +207,15 @@ impl Shot {
                 (false, true) => self.draw(&view, AtEdges(Uniform(side)), row_done),
                 (true, true) => self.draw(&view, AtEdges(Jittered(side)), row_done),
             },
-        }?;
+        }
+    }
+
+    fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
+        if self.approach == Approach::Raster {
+            return self.rasterize(&self.view::<S>(), row_done);
+        }
+        let begin = Instant::now();
+        let drawn = self.draw_in::<S>(row_done)?;
         let time = begin.elapsed();
         let picture = Picture { size: self.size, pixels: drawn.pixels };
         Ok(Taken { picture, rays: Some(drawn.rays), fragments: None, time })

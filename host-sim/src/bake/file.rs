@@ -114,9 +114,10 @@ fn table(bill: &Bill) -> String {
     }
     let _ = writeln!(
         text,
-        "//! | all | {} |\n//!\n//! Meshes, objects and materials hold addresses: they are counted with 64 bits each,\n\
+        "//! | all | {} |\n//!\n//! Meshes, objects and materials hold addresses: they are counted with {} bits each,\n\
          //! and are smaller on a device.",
-        bill.total()
+        bill.total(),
+        usize::BITS
     );
     text
 }

@@ -5,6 +5,7 @@ use super::hierarchies_args::HierarchiesArgs;
 use super::look::{Curve, Look, size};
 use super::prove::ProveArgs;
 use super::rays::Rays;
+use super::serve::ServeArgs;
 use crate::bench::{CHIPS, Chip};
 use crate::panel::Panel;
 use crate::shot::Number;
@@ -63,6 +64,8 @@ pub(super) enum Command {
     Race(RaceArgs),
     /// Measure how the work of a ray grows with the number of things, by each kind of hierarchy
     Hierarchies(HierarchiesArgs),
+    /// Serve the playground: the core in a web page, to pick and write scenes and walk around them
+    Serve(ServeArgs),
     /// Write a scene or a model as Rust source, for a program without files
     Bake(BakeArgs),
     /// Name the scenes of the gallery, and of files

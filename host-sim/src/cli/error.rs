@@ -4,6 +4,7 @@ use crate::obj;
 use crate::race;
 use crate::scene_file::{self, Unsayable};
 use crate::scenes::{self, Entry};
+use crate::serve;
 use crate::shot::Refusal;
 use rayon::ThreadPoolBuildError;
 use std::path::PathBuf;
@@ -46,6 +47,8 @@ pub enum Error {
     Threads(ThreadPoolBuildError),
     /// A race cannot be run.
     Race(race::Fault),
+    /// The playground cannot be served.
+    Serve(serve::Fault),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -111,6 +114,7 @@ impl fmt::Display for Error {
                 write!(f, "there are no such threads: {error}.\n`--threads 1` asks for no more than one.")
             }
             Self::Race(fault) => write!(f, "there is no race: {fault}"),
+            Self::Serve(fault) => write!(f, "there is no playground: {fault}"),
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -145,6 +149,12 @@ impl From<scene_file::Failure> for Error {
 impl From<obj::Mistake> for Error {
     fn from(mistake: obj::Mistake) -> Self {
         Self::Model(mistake)
+    }
+}
+
+impl From<serve::Fault> for Error {
+    fn from(fault: serve::Fault) -> Self {
+        Self::Serve(fault)
     }
 }
 

@@ -23,6 +23,7 @@ mod race;
 mod rays;
 mod render;
 mod report;
+mod serve;
 mod walks;
 mod words;
 
@@ -87,6 +88,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Prove(args) => prove::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
+        Command::Serve(args) => serve::run(args, &mut out)?,
         Command::Bake(args) => bake::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,

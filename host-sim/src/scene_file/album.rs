@@ -47,18 +47,23 @@ pub(super) struct Missed {
     pub reason: Reason,
 }
 
-/// Reads the files that a description names, each once.
+/// Reads the files that a description names, each once, and none of those that are already known.
 ///
 /// # Errors
 /// The first that cannot be read.
-pub(super) fn read(description: &mut Description, folder: &Path) -> Result<(), Missed> {
-    read_images(description, folder)?;
-    read_meshes(description, folder)?;
-    read_voxels(description, folder)
+pub(super) fn read(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
+    read_images(description, folder, known)?;
+    read_meshes(description, folder, known)?;
+    read_voxels(description, folder, known)
 }
 
-fn read_images(description: &mut Description, folder: &Path) -> Result<(), Missed> {
+fn read_images(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
     let mut read = HashMap::new();
+    for beside in known {
+        if let Beside::Image(file) = beside {
+            read.insert(file.name.clone(), file.bitmap);
+        }
+    }
     let mut room = png_file::MAX_TEXELS;
     for (part, (_, file)) in images(description) {
         if let Some(bitmap) = read.get(&file.name) {
@@ -77,8 +82,13 @@ fn read_images(description: &mut Description, folder: &Path) -> Result<(), Misse
     Ok(())
 }
 
-fn read_meshes(description: &mut Description, folder: &Path) -> Result<(), Missed> {
+fn read_meshes(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
     let mut read = HashMap::new();
+    for beside in known {
+        if let Beside::Mesh(file) = beside {
+            read.insert(file.name.clone(), file.triangles);
+        }
+    }
     let (mut room, mut triangles_left) = (mesh_file::MAX_BYTES, mesh_file::MAX_TRIANGLES);
     for (part, mesh) in meshes(description) {
         let name = mesh.file.name.clone();
@@ -98,8 +108,13 @@ fn read_meshes(description: &mut Description, folder: &Path) -> Result<(), Misse
     Ok(())
 }
 
-fn read_voxels(description: &mut Description, folder: &Path) -> Result<(), Missed> {
+fn read_voxels(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
     let mut read = HashMap::new();
+    for beside in known {
+        if let Beside::Voxels(file) = beside {
+            read.insert((file.name.clone(), file.voxels.sides()), file.voxels);
+        }
+    }
     let mut room = voxel_file::MAX_VOXELS;
     for (part, Grid { file, size, .. }) in grids(description) {
         let key = (file.name.clone(), *size);

@@ -1,6 +1,7 @@
 //! A scene file on disk, as a scene that commands take.
 
 use super::album::{self, Missed};
+use super::beside::Beside;
 use super::description::Description;
 use super::mistake::{Complaint, Mistake, Reason};
 use super::outline::Text;
@@ -68,6 +69,14 @@ impl SceneFile {
     /// The first mistake in them: what keeps the core from drawing it in `f64` among others, but not what is
     /// too large for smaller numbers.
     pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<Self, Box<Complaint>> {
+        Self::parse_beside(path, bytes, &[])
+    }
+
+    /// Reads the bytes of a file that may name, beside others, files whose content is already known.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn parse_beside(path: &Path, bytes: Vec<u8>, known: &[Beside]) -> Result<Self, Box<Complaint>> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let path = path.to_owned();
         let is_nff = nff::is_named(&path);
@@ -83,7 +92,7 @@ impl SceneFile {
             Ok(read) => read,
             Err(mistake) => return Err(Box::new(Complaint { path, mistake, text })),
         };
-        if let Err(missed) = album::read(&mut description, path.parent().unwrap_or(Path::new(""))) {
+        if let Err(missed) = album::read(&mut description, path.parent().unwrap_or(Path::new("")), known) {
             return Err(Box::new(Complaint { path, mistake: mistake(missed, &text, &places), text }));
         }
         let file = Self { path, name, text, places, description, drawn, notes };

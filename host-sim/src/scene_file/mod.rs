@@ -50,4 +50,4 @@ pub use file::{Failure, SceneFile};
 pub use from_core::{Unsayable, describe};
 pub use mistake::{Complaint, Mistake, Reason};
 pub use read::parse;
-pub use write::write;
+pub use write::{write, write_object};

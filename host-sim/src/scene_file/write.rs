@@ -40,14 +40,20 @@ pub fn write(description: &Description) -> ron::Result<String> {
     let named = materials.iter().map(|(name, material)| Ok(line(name)? + ": " + &line(material)?));
     file.list("What objects are made of, by name.", ["materials: {", "}"], named)?;
     file.list("Where light comes from.", ["lights: [", "]"], lights.iter().map(line))?;
-    let name = |index: &u16| materials.get(usize::from(*index)).map_or("", |(name, _)| name);
-    let objects = objects.iter().map(|(shape, index)| line(&Object { shape, material: name(index) }));
-    file.list("What there is to see.", ["objects: [", "]"], objects)?;
+    let object = |index| write_object(description, index).unwrap_or_else(|| Ok(String::new()));
+    file.list("What there is to see.", ["objects: [", "]"], (0..objects.len()).map(object))?;
     if let Some(volume) = volume {
         file.text.push_str("\n    // What it is seen through.\n");
         file.part("volume", &block(volume)?)?;
     }
     Ok(file.text + ")\n")
+}
+
+/// Writes an object as its file has it, on one line; `None` if there is no such object.
+pub fn write_object(description: &Description, index: usize) -> Option<ron::Result<String>> {
+    let (shape, material) = description.objects.get(index)?;
+    let material = description.materials.get(usize::from(*material)).map_or("", |(name, _)| name);
+    Some(line(&Object { shape, material }))
 }
 
 /// Is how every file begins.

@@ -1,13 +1,8 @@
 //! Which key and which movement of the mouse does what.
 
 use super::state::Action;
+pub use crate::orbit::{STEP, ZOOM};
 use minifb::Key;
-
-/// Is how far one arrow key walks, in radians: 48 steps around.
-pub const STEP: f64 = std::f64::consts::TAU / 48.0;
-
-/// Is how much one key or one notch of the wheel zooms.
-pub const ZOOM: f64 = 1.1;
 
 /// Names the keys, as the help shows them.
 pub const HELP: [[&str; 2]; 12] = [

@@ -4,7 +4,6 @@
 //! none of them knows the window.
 
 pub mod keys;
-pub mod orbit;
 pub mod overlay;
 pub mod session;
 pub mod state;

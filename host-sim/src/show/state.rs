@@ -1,6 +1,6 @@
 //! What the window shows, and what each action makes of it; knows no window.
 
-use super::orbit::{orbit, pivot, zoom};
+use crate::orbit::{orbit, pivot, zoom};
 use crate::panel::Panel;
 use crate::picture::MAX_DEPTH;
 use crate::shot::{Number, Shot};

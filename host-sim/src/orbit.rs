@@ -3,6 +3,12 @@
 use scanray::gallery::View;
 use scanray::{Camera, Intersect, Projection, Vec3};
 
+/// Is how far one arrow key walks, in radians: 48 steps around.
+pub const STEP: f64 = std::f64::consts::TAU / 48.0;
+
+/// Is how much one key or one notch of the wheel zooms.
+pub const ZOOM: f64 = 1.1;
+
 /// Is how near the line of sight may come to the axis of the orbit, in radians.
 const POLE: f64 = 0.05;
 
@@ -28,15 +34,22 @@ pub fn orbit(camera: &Camera<f64>, pivot: Vec3<f64>, right: f64, up: f64) -> Cam
     let right = if is_mirrored(camera) { -right } else { right };
     let offset = turn(camera.eye - pivot, axis, right);
     let Some((side, _)) = axis.cross(offset).normalize() else { return *camera };
-    let elevation = elevation(offset, axis);
-    let limit = std::f64::consts::FRAC_PI_2 - POLE;
-    // A camera that begins nearer to the pole may stay there, but come no nearer.
-    let [lowest, highest] = [elevation.min(-limit), elevation.max(limit)];
-    let rise = (elevation + up).clamp(lowest, highest) - elevation;
+    let [lowest, highest] = rises(camera, pivot);
+    let rise = up.clamp(lowest, highest);
     let mut moved = *camera;
     moved.eye = pivot + turn(offset, side, -rise);
     moved.center = pivot;
     moved
+}
+
+/// Answers how far down and up a camera can go before it comes near the axis of the orbit, in radians: the first is
+/// at most 0, the second at least 0.
+pub fn rises(camera: &Camera<f64>, pivot: Vec3<f64>) -> [f64; 2] {
+    let Some((axis, _)) = camera.up.normalize() else { return [0.0; 2] };
+    let elevation = elevation(camera.eye - pivot, axis);
+    let limit = std::f64::consts::FRAC_PI_2 - POLE;
+    // A camera that begins nearer to the pole may stay there, but come no nearer.
+    [(-limit - elevation).min(0.0), (limit - elevation).max(0.0)]
 }
 
 /// Narrows the window by a factor (widens it, below 1), so that things look larger.
@@ -104,6 +117,16 @@ mod tests {
         assert!(close(moved.eye, Vec3::new(0.0, 5.0 * 0.3_f64.sin(), 5.0 * 0.3_f64.cos())));
         let top = orbit(&camera(), Vec3::ZERO, 0.0, 10.0);
         assert!((top.eye.y - 5.0 * POLE.cos()).abs() < 1e-9 && top.eye.z > 0.0, "{:?}", top.eye);
+    }
+
+    #[test]
+    fn a_camera_goes_as_far_up_and_down_as_it_is_told_that_it_can() {
+        let [down, up] = rises(&camera(), Vec3::ZERO);
+        assert!((up + down).abs() < 1e-9 && (up - (FRAC_PI_2 - POLE)).abs() < 1e-9, "{down} {up}");
+        let highest = orbit(&camera(), Vec3::ZERO, 0.0, up);
+        assert_eq!(highest, orbit(&camera(), Vec3::ZERO, 0.0, up + 1.0));
+        assert!(rises(&highest, Vec3::ZERO)[1] < 1e-9);
+        assert_ne!(highest, orbit(&camera(), Vec3::ZERO, 0.0, up - 0.01));
     }
 
     #[test]
