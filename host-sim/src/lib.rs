@@ -10,6 +10,7 @@ pub mod dither;
 pub mod growth;
 mod image_error;
 pub mod images;
+pub mod lessons;
 pub mod memory;
 pub mod meshes;
 pub mod model;

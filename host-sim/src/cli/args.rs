@@ -1,5 +1,6 @@
 use super::bake_args::BakeArgs;
 use super::hierarchies_args::HierarchiesArgs;
+use super::lesson::LessonArgs;
 use super::look::{Curve, Look, size};
 use super::prove::ProveArgs;
 use super::rays::Rays;
@@ -59,6 +60,8 @@ pub(super) enum Command {
     Hierarchies(HierarchiesArgs),
     /// Write a scene or a model as Rust source, for a program without files
     Bake(BakeArgs),
+    /// Tell how a ray tracer works, in short chapters that draw their pictures on the spot
+    Lesson(LessonArgs),
     /// Name the scenes of the gallery, and of files
     List(ListArgs),
     /// Write a scene as a file that every command takes in its place, to be changed

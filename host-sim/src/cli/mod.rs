@@ -12,6 +12,7 @@ mod error;
 mod export;
 mod hierarchies;
 mod hierarchies_args;
+mod lesson;
 mod list;
 mod look;
 mod progress;
@@ -84,6 +85,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Race(args) => race::run(args, &mut out)?,
         Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
         Command::Bake(args) => bake::run(args, &mut out)?,
+        Command::Lesson(args) => lesson::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
     }
