@@ -61,7 +61,8 @@ fn tell(chapter: &Chapter, language: Language, folder: &Path, out: &mut impl Wri
 
 /// Answers the words of a command, its files in a folder.
 fn placed(command: &str, folder: &Path) -> Vec<OsString> {
-    let is_file = |word: &str| Path::new(word).extension().is_some_and(|ending| ending == "ron" || ending == "png");
+    let is_file =
+        |word: &str| Path::new(word).extension().is_some_and(|ending| ending == "ron" || ending == "png");
     let place = |word: &str| if is_file(word) { folder.join(word).into() } else { word.into() };
     command.split(' ').map(place).collect()
 }

@@ -39,7 +39,9 @@ impl File {
         let path = folder.join(self.name);
         match fs::read(&path) {
             Ok(there) => Ok(there != self.bytes),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => fs::write(&path, self.bytes).map(|()| false),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                fs::write(&path, self.bytes).map(|()| false)
+            }
             Err(error) => Err(error),
         }
     }
@@ -50,7 +52,8 @@ pub fn needed(command: &str) -> Vec<File> {
     let scenes = FILES.iter().filter(|file| file.is_named_in(command));
     let text = |scene: &File| String::from_utf8_lossy(scene.bytes).into_owned();
     let texts: Vec<String> = scenes.map(text).collect();
-    let is_needed = |file: &&File| file.is_named_in(command) || texts.iter().any(|text| file.is_named_in(text));
+    let is_needed =
+        |file: &&File| file.is_named_in(command) || texts.iter().any(|text| file.is_named_in(text));
     FILES.iter().filter(is_needed).copied().collect()
 }
 

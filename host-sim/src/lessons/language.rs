@@ -47,7 +47,9 @@ impl Language {
     pub fn says_how(self) -> &'static str {
         match self {
             Self::En => "`scanray lesson 01` runs the first chapter, `scanray lesson all` the whole course.",
-            Self::Pt => "`scanray lesson 01` executa o primeiro capítulo; `scanray lesson all`, o curso todo.",
+            Self::Pt => {
+                "`scanray lesson 01` executa o primeiro capítulo; `scanray lesson all`, o curso todo."
+            }
             Self::It => "`scanray lesson 01` esegue il primo capitolo, `scanray lesson all` tutto il corso.",
         }
     }
