@@ -30,8 +30,8 @@ impl File {
         text.split([' ', '"', '\n']).any(|word| word == self.name)
     }
 
-    /// Writes the file into a folder, unless there is one of its name: whoever changed it wants to see the change.
-    /// Answers whether that one is another.
+    /// Writes the file into a folder, unless there is one of its name: whoever changed that wants to see the
+    /// change. Answers whether the one there is another.
     ///
     /// # Errors
     /// Those of the file system.

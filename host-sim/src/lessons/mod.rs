@@ -1,8 +1,7 @@
 //! A course of short chapters, from the pinhole camera to volumes, carried in the program.
 //!
 //! A chapter is a Markdown file of `host-sim/lessons` in each language; its fenced blocks say by their first
-//! word what they are: `scanray` a command that is run, `scanray change` one that is left to the reader, `diff`
-//! a change of a scene's file, `formula`, and `prints`, words of what the command prints.
+//! words what they are, see [`Fence`].
 
 mod files;
 mod language;

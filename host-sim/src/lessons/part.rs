@@ -43,8 +43,9 @@ impl Fence {
 
 /// Splits the text of a chapter into its parts.
 ///
-/// It reads the Markdown that chapters are written in: headings with `#`, paragraphs and items (`- `) set apart by
-/// blank lines or marks, and fences of three backticks. A block of unknown words is a formula: it stays as it is.
+/// It reads the Markdown that chapters are written in: headings with `#`, paragraphs and items (`- `) set
+/// apart by blank lines or marks, and fences of three backticks. A block of unknown words is a formula: it
+/// stays as it is.
 pub fn parts(text: &str) -> Vec<Part<'_>> {
     let mut parts = Vec::new();
     let mut rest = text;
