@@ -17,6 +17,7 @@ pub mod explain;
 pub mod growth;
 mod image_error;
 pub mod images;
+pub mod lessons;
 pub mod memory;
 pub mod meshes;
 pub mod model;

@@ -2,6 +2,7 @@ use super::bake_args::BakeArgs;
 use super::cost::CostArgs;
 use super::explain::ExplainArgs;
 use super::hierarchies_args::HierarchiesArgs;
+use super::lesson::LessonArgs;
 use super::look::{Curve, Look, size};
 use super::prove::ProveArgs;
 use super::rays::Rays;
@@ -68,6 +69,8 @@ pub(super) enum Command {
     Serve(ServeArgs),
     /// Write a scene or a model as Rust source, for a program without files
     Bake(BakeArgs),
+    /// Tell how a ray tracer works, in short chapters that draw their pictures on the spot
+    Lesson(LessonArgs),
     /// Name the scenes of the gallery, and of files
     List(ListArgs),
     /// Write a scene as a file that every command takes in its place, to be changed

@@ -1,5 +1,6 @@
 use crate::bake::file as bake;
 use crate::bench::Failure;
+use crate::lessons::{self, Language};
 use crate::obj;
 use crate::race;
 use crate::scene_file::{self, Unsayable};
@@ -16,6 +17,10 @@ use std::{fmt, io};
 pub enum Error {
     /// The gallery has no such scene.
     UnknownScene(String),
+    /// The course has no such chapter.
+    UnknownChapter(String, Language),
+    /// A command of a chapter failed, and has told why.
+    Chapter(String),
     /// A scene file cannot be read, or not be drawn.
     SceneFile(scene_file::Failure),
     /// A model cannot be read.
@@ -89,6 +94,11 @@ impl fmt::Display for Error {
                     "\n`scanray list` names them all; the name of a file ends in `.ron`, `.nff` or `.obj`.",
                 )
             }
+            Self::UnknownChapter(number, language) => {
+                let chapters = lessons::contents(*language);
+                write!(f, "there is no chapter '{number}'; `all` runs these:\n{}", chapters.trim_end())
+            }
+            Self::Chapter(command) => write!(f, "the chapter ends here: `{command}` failed."),
             Self::SceneFile(failure) => failure.fmt(f),
             Self::Model(mistake) => mistake.fmt(f),
             Self::Bake(failure) => write!(f, "the scene cannot be baked: {failure}."),

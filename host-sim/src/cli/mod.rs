@@ -14,6 +14,7 @@ mod explain;
 mod export;
 mod hierarchies;
 mod hierarchies_args;
+mod lesson;
 mod list;
 mod look;
 mod progress;
@@ -90,6 +91,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
         Command::Serve(args) => serve::run(args, &mut out)?,
         Command::Bake(args) => bake::run(args, &mut out)?,
+        Command::Lesson(args) => lesson::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
     }

@@ -3,6 +3,7 @@
 use crate::bake::Accel;
 use crate::cost::What;
 use crate::dither::Method;
+use crate::lessons::Language;
 use crate::panel::Panel;
 use crate::shot::{Approach, Number, Quality};
 use clap::ValueEnum;
@@ -90,6 +91,16 @@ impl ValueEnum for Method {
             Self::BlueNoise => "By a mask of blue noise",
             Self::Diffused => "Handing the error to the right",
         }))
+    }
+}
+
+impl ValueEnum for Language {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.code()))
     }
 }
 

@@ -19,6 +19,7 @@ mod hierarchies_scenes;
 mod hostile;
 mod hostile_models;
 mod images;
+mod lessons;
 mod meshes;
 mod model_files;
 mod models;
