@@ -3,6 +3,7 @@
 pub mod animation;
 pub mod bake;
 pub mod bench;
+pub mod boards;
 pub mod canvas;
 pub mod cli;
 pub mod compare;

@@ -1,6 +1,7 @@
 use super::bake_args::BakeArgs;
 use super::hierarchies_args::HierarchiesArgs;
 use super::look::{Curve, Look, size};
+use super::new_args::NewArgs;
 use super::prove::ProveArgs;
 use super::rays::Rays;
 use crate::bench::{CHIPS, Chip};
@@ -63,6 +64,8 @@ pub(super) enum Command {
     List(ListArgs),
     /// Write a scene as a file that every command takes in its place, to be changed
     Export(ExportArgs),
+    /// Begin firmware of your own: a complete crate for a board and its panel
+    New(NewArgs),
 }
 
 #[derive(Debug, Args)]

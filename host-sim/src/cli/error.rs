@@ -1,5 +1,6 @@
 use crate::bake::file as bake;
 use crate::bench::Failure;
+use crate::boards;
 use crate::obj;
 use crate::race;
 use crate::scene_file::{self, Unsayable};
@@ -37,6 +38,8 @@ pub enum Error {
     Threads(ThreadPoolBuildError),
     /// A race cannot be run.
     Race(race::Fault),
+    /// No project can be begun.
+    New(boards::Refusal),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -96,6 +99,7 @@ impl fmt::Display for Error {
                 write!(f, "there are no such threads: {error}.\n`--threads 1` asks for no more than one.")
             }
             Self::Race(fault) => write!(f, "there is no race: {fault}"),
+            Self::New(refusal) => refusal.fmt(f),
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -166,6 +170,12 @@ impl From<ThreadPoolBuildError> for Error {
 impl From<race::Fault> for Error {
     fn from(fault: race::Fault) -> Self {
         Self::Race(fault)
+    }
+}
+
+impl From<boards::Refusal> for Error {
+    fn from(refusal: boards::Refusal) -> Self {
+        Self::New(refusal)
     }
 }
 

@@ -14,6 +14,8 @@ mod hierarchies;
 mod hierarchies_args;
 mod list;
 mod look;
+mod new;
+mod new_args;
 mod progress;
 mod progressive;
 mod prove;
@@ -86,6 +88,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Bake(args) => bake::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
+        Command::New(args) => new::run(args, &mut out)?,
     }
     Ok(out.flush()?)
 }
