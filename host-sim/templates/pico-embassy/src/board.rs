@@ -127,10 +127,10 @@ impl Lamp {
 
     /// Goes dark over a finished picture; otherwise flashes for good, twice a second for a scene that is refused, ten
     /// times for a panel that does not answer.
-    pub async fn tell(&mut self, drawn: Result<(), Trouble>) {
+    pub async fn tell(&mut self, drawn: Result<(), Trouble>) -> ! {
         self.0.set_low();
         let pause = match drawn {
-            Ok(()) => return,
+            Ok(()) => core::future::pending().await,
             Err(Trouble::Scene) => 250,
             Err(Trouble::Panel) => 50,
         };

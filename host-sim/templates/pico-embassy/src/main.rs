@@ -26,12 +26,13 @@ type Tracer<'w> = Renderer<'static, 'w, Fixed, [u8; 2], 0, DEPTH>;
 
 #[embassy_executor::main]
 async fn main(_spawner: Spawner) {
-    let (mut lamp, panel) = board::take().await;
+    let (mut lamp, mut panel) = board::take().await;
     lamp.on();
-    let drawn = match panel {
-        Ok(mut panel) => draw(&mut panel).await,
-        Err(trouble) => Err(trouble),
+    let drawn = match &mut panel {
+        Ok(panel) => draw(panel).await,
+        Err(trouble) => Err(*trouble),
     };
+    // It never ends: a panel that is dropped would let go its pins, and its backlight would go out.
     lamp.tell(drawn).await
 }
 
