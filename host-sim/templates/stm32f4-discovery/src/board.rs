@@ -10,7 +10,7 @@
 //! | PB1 | RESET |
 
 use cortex_m::singleton;
-use embedded_hal::{delay::DelayNs, digital::OutputPin};
+use embedded_hal::delay::DelayNs;
 use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
 use mipidsi::{
     Builder,
@@ -74,7 +74,7 @@ pub fn take() -> (Lamp, Result<Display, Trouble>) {
     let (b, d) = (p.GPIOB.split(&mut rcc), p.GPIOD.split(&mut rcc));
     // The panel reads bits on rising edges.
     let mode = Mode { polarity: Polarity::IdleLow, phase: Phase::CaptureOnFirstTransition };
-    let pins = (Some(b.pb13), None, Some(b.pb15));
+    let pins = (Some(b.pb13), SPI2::NoMiso, Some(b.pb15));
     let bus = Spi::new(p.SPI2, pins, mode, SPI_HZ.Hz(), &mut rcc);
     let wires = (b.pb12.into_push_pull_output(), b.pb11.into_push_pull_output());
     let display = start(bus, wires, b.pb1.into_push_pull_output(), &mut delay);
@@ -112,14 +112,13 @@ pub struct Lamp {
 impl Lamp {
     /// Lights it: the picture is being drawn.
     pub fn on(&mut self) {
-        // A pin that cannot be driven would cost the light, not the picture.
-        let _ = self.pin.set_high();
+        self.pin.set_high();
     }
 
     /// Goes dark over a finished picture; otherwise flashes for good, twice a second for a scene that is refused, ten
     /// times for a panel that does not answer.
     pub fn tell(&mut self, drawn: Result<(), Trouble>) -> ! {
-        let _ = self.pin.set_low();
+        self.pin.set_low();
         let pause = match drawn {
             Ok(()) => loop {
                 cortex_m::asm::wfi();
@@ -128,9 +127,9 @@ impl Lamp {
             Err(Trouble::Panel) => 50,
         };
         loop {
-            let _ = self.pin.set_high();
+            self.pin.set_high();
             self.delay.delay_ms(pause);
-            let _ = self.pin.set_low();
+            self.pin.set_low();
             self.delay.delay_ms(pause);
         }
     }
