@@ -46,8 +46,8 @@ const SPI_HZ: u32 = 40_000_000;
 /// Holds as many bytes as go to the bus at a time.
 pub const BUFFER: usize = 512;
 
-type Wires =
-    SpiInterface<'static, ExclusiveDevice<Spi<'static, Blocking>, Output<'static>, NoDelay>, Output<'static>>;
+type Wires<'b> =
+    SpiInterface<'b, ExclusiveDevice<Spi<'static, Blocking>, Output<'static>, NoDelay>, Output<'static>>;
 
 /// Is the panel, as a display of embedded-graphics.
 pub type Display<'b> = mipidsi::Display<Wires<'b>, ST7789, Output<'static>>;
