@@ -35,7 +35,8 @@ fn sizes(image: &Path) -> [u64; 2] {
     let bytes = fs::read(image).unwrap_or_else(|error| panic!("{}: {error}", image.display()));
     let elf = object::File::parse(&*bytes).expect("the image is no ELF file");
     let mut sizes = [0; 2];
-    for section in elf.sections() {
+    // What an ESP32's script leaves to the stack is a section too.
+    for section in elf.sections().filter(|section| section.name() != Ok(".stack")) {
         let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
         let [held, writable] = [elf::SHF_ALLOC, elf::SHF_WRITE].map(|flag| sh_flags & u64::from(flag) != 0);
         let zeroed = section.kind() == SectionKind::UninitializedData;
