@@ -6,6 +6,7 @@
 
 mod board;
 mod registers;
+#[allow(dead_code, reason = "a baked scene tells its size too")]
 mod scene;
 mod ssd0323;
 

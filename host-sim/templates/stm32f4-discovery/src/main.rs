@@ -5,6 +5,7 @@
 #![no_main]
 
 mod board;
+#[allow(dead_code, reason = "a baked scene tells its size too")]
 mod scene;
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
