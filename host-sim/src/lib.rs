@@ -7,6 +7,8 @@ pub mod animation;
 pub mod bake;
 #[cfg(feature = "desktop")]
 pub mod bench;
+#[cfg(feature = "desktop")]
+pub mod boards;
 pub mod canvas;
 #[cfg(feature = "desktop")]
 pub mod cli;
@@ -17,6 +19,7 @@ pub mod explain;
 pub mod growth;
 mod image_error;
 pub mod images;
+#[cfg(feature = "desktop")]
 pub mod lessons;
 pub mod memory;
 pub mod meshes;

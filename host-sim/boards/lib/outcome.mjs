@@ -12,11 +12,12 @@ export class Complaint extends Error {}
 
 /**
  * The folder a run writes to: SCANRAY_BOARD_OUT, or `boards/NAME` in the target folder that
- * `image` (TARGET/TRIPLE/PROFILE/examples/NAME) lies in.
+ * `image` (TARGET/TRIPLE/PROFILE/NAME, or an example's TARGET/TRIPLE/PROFILE/examples/NAME) lies in.
  */
 export function outcomeFolder(image) {
-  const folder = process.env.SCANRAY_BOARD_OUT
-    ?? join(dirname(resolve(image)), '../../..', 'boards', basename(image));
+  const beside = dirname(resolve(image));
+  const target = join(beside, basename(beside) === 'examples' ? '../../..' : '../..');
+  const folder = process.env.SCANRAY_BOARD_OUT ?? join(target, 'boards', basename(image));
   mkdirSync(folder, { recursive: true });
   return folder;
 }

@@ -1,6 +1,7 @@
 // A Raspberry Pi Pico with an ST7789 panel on SPI0, emulated by rp2040js.
 
 import { functionAt } from './elf.mjs';
+import { addLeftOut } from './left-out.mjs';
 import { Complaint } from './outcome.mjs';
 import { SecondCore } from './second-core.mjs';
 import { SpiLine } from './spi-line.mjs';
@@ -29,6 +30,7 @@ export class Pico {
   start() {
     this.chip = this.newChip();
     this.second = new SecondCore(this.chip);
+    addLeftOut(this.chip);
     this.lit = false;
     this.faults = [];
     /** Instructions since the start. */
@@ -116,13 +118,20 @@ export class Pico {
     const { second, chip: { core, clock, clkSys } } = this;
     const pc = core.PC;
     const asleep = core.waiting;
-    const cycles = asleep ? 1 : core.executeInstruction();
+    const cycles = asleep ? this.sleepCycles() : core.executeInstruction();
     clock.tick((cycles * 1e9) / clkSys);
     if (this.lit || this.counts.cycles) this.count(cycles);
     if (core.SP < this.deepest) this.deepest = core.SP;
     const lost = second.running ? second.follow(cycles) : undefined;
-    const hangs = asleep ? !second.running : core.PC === pc;
+    // Who sleeps may be woken by the other core, or by a part whose time comes: a timer, the bus, DMA.
+    const hangs = asleep ? core.waiting && !second.running && !clock.nextAlarm : core.PC === pc;
     return hangs ? pc : lost;
+  }
+
+  /** Cycles until something may happen to the sleeping core: those to the next alarm, unless the other core is awake. */
+  sleepCycles() {
+    const { second, chip: { clock, clkSys } } = this;
+    return second.running ? 1 : Math.max(1, Math.ceil((clock.nanosToNextAlarm * clkSys) / 1e9));
   }
 
   count(cycles) {

@@ -4,6 +4,7 @@ use super::explain::ExplainArgs;
 use super::hierarchies_args::HierarchiesArgs;
 use super::lesson::LessonArgs;
 use super::look::{Curve, Look, size};
+use super::new_args::NewArgs;
 use super::prove::ProveArgs;
 use super::rays::Rays;
 use super::serve::ServeArgs;
@@ -75,6 +76,8 @@ pub(super) enum Command {
     List(ListArgs),
     /// Write a scene as a file that every command takes in its place, to be changed
     Export(ExportArgs),
+    /// Begin firmware of your own: a complete crate for a board and its panel
+    New(NewArgs),
 }
 
 #[derive(Debug, Args)]

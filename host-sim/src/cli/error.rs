@@ -1,5 +1,6 @@
 use crate::bake::file as bake;
 use crate::bench::Failure;
+use crate::boards;
 use crate::lessons::{self, Language};
 use crate::obj;
 use crate::race;
@@ -54,6 +55,8 @@ pub enum Error {
     Race(race::Fault),
     /// The playground cannot be served.
     Serve(serve::Fault),
+    /// No project can be begun.
+    New(boards::Refusal),
     /// A file or a directory cannot be written.
     Write(PathBuf, io::Error),
     /// A window was asked for, and there is no display.
@@ -125,6 +128,7 @@ impl fmt::Display for Error {
             }
             Self::Race(fault) => write!(f, "there is no race: {fault}"),
             Self::Serve(fault) => write!(f, "there is no playground: {fault}"),
+            Self::New(refusal) => refusal.fmt(f),
             Self::Write(path, error) => {
                 write!(f, "cannot write {}: {error}.\n`-o` takes another place.", path.display())
             }
@@ -201,6 +205,12 @@ impl From<ThreadPoolBuildError> for Error {
 impl From<race::Fault> for Error {
     fn from(fault: race::Fault) -> Self {
         Self::Race(fault)
+    }
+}
+
+impl From<boards::Refusal> for Error {
+    fn from(refusal: boards::Refusal) -> Self {
+        Self::New(refusal)
     }
 }
 

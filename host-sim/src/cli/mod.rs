@@ -17,6 +17,8 @@ mod hierarchies_args;
 mod lesson;
 mod list;
 mod look;
+mod new;
+mod new_args;
 mod progress;
 mod progressive;
 mod prove;
@@ -94,6 +96,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Lesson(args) => lesson::run(args, &mut out)?,
         Command::List(args) => list::run(args, &mut out)?,
         Command::Export(args) => export::run(args, &mut out)?,
+        Command::New(args) => new::run(args, &mut out)?,
     }
     Ok(out.flush()?)
 }
