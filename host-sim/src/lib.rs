@@ -15,6 +15,8 @@ pub mod cli;
 pub mod compare;
 pub mod cost;
 pub mod dither;
+#[cfg(feature = "desktop")]
+pub mod exhibition;
 pub mod explain;
 pub mod growth;
 mod image_error;

@@ -12,6 +12,9 @@ const QUIET = [
   '--disable-sync',
 ];
 
+/** How long anything may take, in milliseconds. */
+const PATIENCE = 180_000;
+
 /** Opens the page at the address of the command line, does something there, and demands that nothing went wrong. */
 export async function sit(act, { hash = '', viewport = { width: 1280, height: 900 }, ...options } = {}) {
   const [address] = process.argv.slice(2);
@@ -22,6 +25,8 @@ export async function sit(act, { hash = '', viewport = { width: 1280, height: 90
   const complaints = [];
   try {
     const page = await browser.newPage({ viewport, ...options });
+    // A computer that does much else at the same time is slow, not wrong.
+    page.setDefaultTimeout(PATIENCE);
     page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
     page.on('pageerror', (error) => complaints.push(String(error)));
     page.on('request', (request) => {
@@ -51,7 +56,7 @@ export function rest(page, words) {
       return Object.entries(words).every(([name, word]) => (shown.get(name) ?? '') === String(word));
     },
     words,
-    { timeout: 60_000 },
+    { timeout: PATIENCE },
   );
 }
 

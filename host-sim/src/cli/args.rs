@@ -1,6 +1,7 @@
 use super::bake_args::BakeArgs;
 use super::cost::CostArgs;
 use super::explain::ExplainArgs;
+use super::gallery::GalleryArgs;
 use super::hierarchies_args::HierarchiesArgs;
 use super::lesson::LessonArgs;
 use super::look::{Curve, Look, size};
@@ -66,6 +67,8 @@ pub(super) enum Command {
     Race(RaceArgs),
     /// Measure how the work of a ray grows with the number of things, by each kind of hierarchy
     Hierarchies(HierarchiesArgs),
+    /// Write every scene in every number and panel as pages for a web server
+    Gallery(GalleryArgs),
     /// Serve the playground: the core in a web page, to pick and write scenes and walk around them
     Serve(ServeArgs),
     /// Write a scene or a model as Rust source, for a program without files

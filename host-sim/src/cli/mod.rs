@@ -12,6 +12,7 @@ mod dither;
 mod error;
 mod explain;
 mod export;
+mod gallery;
 mod hierarchies;
 mod hierarchies_args;
 mod lesson;
@@ -91,6 +92,7 @@ fn execute(command: &Command) -> Result<(), Error> {
         Command::Prove(args) => prove::run(args, &mut out)?,
         Command::Race(args) => race::run(args, &mut out)?,
         Command::Hierarchies(args) => hierarchies::run(args, &mut out)?,
+        Command::Gallery(args) => gallery::run(args, &mut out)?,
         Command::Serve(args) => serve::run(args, &mut out)?,
         Command::Bake(args) => bake::run(args, &mut out)?,
         Command::Lesson(args) => lesson::run(args, &mut out)?,

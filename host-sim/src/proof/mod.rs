@@ -30,7 +30,7 @@ use image::Kind;
 
 /// Is the most bytes of stack that a picture of one ray a pixel may take beside what the caller holds: the workspace,
 /// the row and the renderer; an M0+ that asks a mesh for shadows takes the most.
-pub const MOST_STACK: u32 = 2432;
+pub const MOST_STACK: u32 = 2496;
 
 /// Is the same of pictures that are filled in, sampled, refined, seen through foreign hierarchies or rasterised;
 /// adaptive rows keep a block of 65 samples, 800 bytes.

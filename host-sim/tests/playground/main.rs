@@ -6,7 +6,7 @@ use host_sim::shot::{Number, Shot};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// Answers the address of a playground that is served as long as the tests run.
 fn address() -> &'static str {
@@ -22,7 +22,11 @@ fn address() -> &'static str {
 }
 
 /// Lets a script sit before the playground and answers what it prints.
+///
+/// One sits there at a time: five browsers at once are slower than one after the other.
 fn sit(script: &str) -> String {
+    static SEAT: Mutex<()> = Mutex::new(());
+    let _seat = SEAT.lock().unwrap_or_else(PoisonError::into_inner);
     let output = Command::new("node")
         .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("../playground/browser").join(script))
         .arg(address())

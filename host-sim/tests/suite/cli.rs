@@ -199,6 +199,11 @@ fn help_is_no_error_and_gives_examples() {
         "list",
         "export",
         "bake",
+        "gallery",
+        "lesson",
+        "serve",
+        "new",
+        "prove",
     ];
     for command in commands {
         let arguments = format!("{command} --help");

@@ -11,6 +11,7 @@ mod cli_pictures;
 mod cost;
 mod desk;
 mod dither;
+mod exhibition;
 mod explain;
 mod figures;
 mod growth;
