@@ -67,7 +67,8 @@ export const NOTHING = { words: {}, place: { right: 0, up: 0, zoom: 0 } };
 /** Answers what the page's address says. */
 export function kept() {
   const words = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-  const [right, up, zoom] = (words.walk ?? '0 0 0').split(' ').map((part) => Math.trunc(Number(part)) || 0);
+  const whole = (part) => (Number.isSafeInteger(Number(part)) ? Number(part) : 0);
+  const [right, up, zoom] = `${words.walk ?? ''} 0 0 0`.trim().split(/\s+/).map(whole);
   return { words, place: { right, up, zoom } };
 }
 
@@ -75,7 +76,8 @@ export function kept() {
 export function restore(form, words) {
   for (const [name, word] of Object.entries(words)) {
     const field = form.elements[name];
-    if (!field) continue;
+    // A form has other elements than those that are named so, such as its length.
+    if (!(field instanceof Element || field instanceof RadioNodeList)) continue;
     const before = field.value;
     field.value = word;
     if (field.value === '') field.value = before;

@@ -19,6 +19,11 @@ export class Editor {
     this.area.value = text;
   }
 
+  /** Drops what was typed and is not drawn yet: another scene is on its way. */
+  forget() {
+    clearTimeout(this.timer);
+  }
+
   later() {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.now(), PAUSE);

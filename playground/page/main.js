@@ -41,6 +41,7 @@ const isOn = (id) => by(id).getAttribute('aria-pressed') === 'true';
 async function open(request, { words, place } = controls.NOTHING) {
   const complaint = request.ask === 'write' ? by('wrong') : by('fault');
   stage.canvas.ariaBusy = 'true';
+  if (request.ask === 'open') editor.forget();
   const told = await ask(request).catch((fault) => say(complaint, fault));
   if (!told.opened) {
     stage.canvas.ariaBusy = String(busy);

@@ -99,7 +99,7 @@ export function walkByPointer(element, walk, clicked) {
   element.addEventListener(
     'wheel',
     (event) => {
-      if (document.activeElement !== element) return;
+      if (document.activeElement !== element || event.deltaY === 0) return;
       event.preventDefault();
       walk.by(0, 0, event.deltaY < 0 ? 1 : -1);
     },

@@ -60,7 +60,9 @@ pub fn create(board: &Board, folder: &Path, source: &Source) -> Result<String, R
     let template =
         TEMPLATES.get_dir(board.name).ok_or_else(|| Refusal::UnknownBoard(board.name.to_owned()))?;
     let files = files(template);
-    if files.iter().filter_map(|file| file.contents_utf8()).any(|text| lock::lists(text, &name)) {
+    // The template's own name is that of no dependency.
+    let taken = |text: &str| name != PLACEHOLDER && lock::lists(text, &name);
+    if files.iter().filter_map(|file| file.contents_utf8()).any(taken) {
         return Err(Refusal::TakenName(name));
     }
     if folder.symlink_metadata().is_ok() {
@@ -82,7 +84,8 @@ fn files(template: &'static Dir<'static>) -> Vec<&'static File<'static>> {
 fn write(file: &File, board: &Board, folder: &Path, name: &str, source: &Source) -> Result<(), Refusal> {
     let path = folder.join(file.path().strip_prefix(board.name).unwrap_or(file.path()));
     let text = String::from_utf8_lossy(file.contents());
-    let text = text.replace(DEPENDENCY, &source.dependency()).replace(PLACEHOLDER, name);
+    // The name first: the path of the sources may hold the placeholder's words.
+    let text = text.replace(PLACEHOLDER, name).replace(DEPENDENCY, &source.dependency());
     let text = if path.ends_with("Cargo.lock") { lock::sorted(&text) } else { text };
     let parent = path.parent().unwrap_or(folder);
     fs::create_dir_all(parent)

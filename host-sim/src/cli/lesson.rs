@@ -17,7 +17,7 @@ pub(super) struct LessonArgs {
     /// Number of a chapter, such as 03, or `all` [default: all are listed]
     #[arg(value_name = "CHAPTER")]
     pub chapter: Option<String>,
-    /// Language of the course [default: that of LC_ALL or LANG if the course has it, else en]
+    /// Language of the course [default: that of LC_ALL, LC_MESSAGES or LANG if the course has it, else en]
     #[arg(long)]
     pub lang: Option<Language>,
     /// Directory for scene files and pictures [default: the current directory]

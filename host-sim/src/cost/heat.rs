@@ -36,9 +36,10 @@ pub fn heat(map: &Map, what: What, picture: &Picture) -> Picture {
     let below = HEAD + height + MARGIN;
     page.paste(&bar, [right, below]);
     let last = if most > top { format!("{top} and more") } else { top.to_string() };
-    let from = right + width - last.len() as u32 * LETTER;
+    // On a small picture the labels begin further left than its map.
+    let from = (right + width).saturating_sub(last.len() as u32 * LETTER);
     let half = (top / 2).to_string();
-    let middle = right + width / 2 - half.len() as u32 * LETTER / 2;
+    let middle = (right + width / 2).saturating_sub(half.len() as u32 * LETTER / 2);
     for (label, left) in [("0", right), (half.as_str(), middle), (last.as_str(), from)] {
         page.write_text(label, [left, below + SCALE + 4], &FONT_9X15);
     }

@@ -38,9 +38,13 @@ impl Exhibition {
     /// Writes the page of a scene and its pictures.
     ///
     /// # Errors
-    /// What the file system says.
+    /// What the file system says, and a second scene of the same name.
     pub fn open(&mut self, room: &Room) -> io::Result<()> {
         let name = room.shot.scene.name();
+        if self.cards.iter().any(|card| card.name() == name) {
+            let why = format!("two scenes are called {name}");
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, why));
+        }
         let folder = self.folder.join(name);
         fs::create_dir_all(&folder)?;
         let write = |file: String, picture: &Picture| png::write(&folder.join(file), picture);
@@ -53,7 +57,9 @@ impl Exhibition {
         if let Some(shown) = room.works.first() {
             write("rays.png".into(), &heat(&room.map, What::Rays, &shown.picture))?;
         }
-        let rows: Vec<_> = self.measured.0.iter().filter(|row| row.scene == name).collect();
+        // A file may have the name of a scene of the gallery.
+        let is_known = room.shot.scene.file.is_none();
+        let rows: Vec<_> = self.measured.0.iter().filter(|row| is_known && row.scene == name).collect();
         fs::write(folder.join("index.html"), page::room(room, &rows))?;
         self.cards.push(page::Card::of(room));
         Ok(())

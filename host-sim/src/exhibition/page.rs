@@ -17,6 +17,11 @@ pub struct Card {
 }
 
 impl Card {
+    /// Answers the scene's name.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
     /// Takes from a room what its card says.
     pub fn of(room: &Room) -> Self {
         let psnr = |number| {
@@ -64,12 +69,14 @@ pub fn room(room: &Room, rows: &[&Row]) -> String {
         (differences(room))
         (cost(room, rows))
         (ram(shot))
-        h2 { "Draw it yourself" }
-        pre { code {
-            "cargo sim render " (shot.scene.name()) " --number fixed --panel rgb565\n"
-            "cargo sim explain " (shot.scene.name()) " " (shot.size[0] / 2) " " (shot.size[1] / 2) "\n"
-            "cargo sim export " (shot.scene.name()) " -o mine.ron"
-        } }
+        @if shot.scene.file.is_none() {
+            h2 { "Draw it yourself" }
+            pre { code {
+                "cargo sim render " (shot.scene.name()) " --number fixed --panel rgb565\n"
+                "cargo sim explain " (shot.scene.name()) " " (shot.size[0] / 2) " " (shot.size[1] / 2) "\n"
+                "cargo sim export " (shot.scene.name()) " -o mine.ron"
+            } }
+        }
     };
     page(shot.scene.name(), "../", &content)
 }

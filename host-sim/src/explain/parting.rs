@@ -36,9 +36,10 @@ pub fn parting(explanation: &Explanation, column: &Column) -> Parting {
     Parting { step: first, apart: furthest(&column.levels, &reference.levels) }
 }
 
-/// Answers the largest distance of two colours' channels.
-fn furthest(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, |most, off| if off <= most { most } else { off })
+/// Answers the largest distance of two lists of values, which is not a number where one is not.
+pub(super) fn furthest(a: &[f64], b: &[f64]) -> f64 {
+    let further = |most: f64, off: f64| if most.is_nan() || off <= most { most } else { off };
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, further)
 }
 
 /// Lists every step with what it sends to the eye otherwise than in the reference.

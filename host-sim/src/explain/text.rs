@@ -1,3 +1,4 @@
+use super::parting::furthest;
 use super::{Column, Explanation, LightRay, Node, parting};
 use crate::reference::{Lit, Shine, Surface, Vector, Visit};
 use std::fmt::{self, Display, Formatter};
@@ -214,6 +215,6 @@ fn figure(value: f64) -> String {
 
 /// Writes the largest distance of two lists of values.
 fn off(a: &[f64], b: &[f64]) -> String {
-    let most = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let most = furthest(a, b);
     if most == 0.0 { "0".to_owned() } else { format!("{most:.0e}") }
 }

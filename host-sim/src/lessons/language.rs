@@ -28,10 +28,10 @@ impl Language {
         Self::ALL.into_iter().find(|language| Some(language.code()) == code).unwrap_or(Self::En)
     }
 
-    /// Answers the language of the user: that of `LC_ALL`, or of `LANG` where the former is not set (POSIX).
+    /// Answers the language of the user: that of the first of `LC_ALL`, `LC_MESSAGES` and `LANG` that is set (POSIX).
     pub fn of_user() -> Self {
         let set = |name| std::env::var(name).ok().filter(|locale| !locale.is_empty());
-        Self::of_locale(&set("LC_ALL").or_else(|| set("LANG")).unwrap_or_default())
+        Self::of_locale(&["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find_map(set).unwrap_or_default())
     }
 
     /// Says that a file was found changed, and left so.

@@ -37,6 +37,13 @@ fn what_is_there_already_is_refused_and_not_touched() {
     assert_eq!(fs::read_dir(&folder).expect("it is there").count(), 0);
 }
 
+/// The manual's own example is the name that stands in the templates.
+#[test]
+fn a_project_may_be_called_as_the_templates_are() {
+    let desk = desk();
+    assert_eq!(pico(&desk.path().join("my-picture")).expect("a project"), "my-picture");
+}
+
 #[test]
 fn a_folder_whose_name_no_crate_can_have_is_refused() {
     let desk = desk();
