@@ -16,7 +16,8 @@ pub const MODE: &str = match option_env!("SCANRAY_MODE") {
 };
 
 /// Names the modes; their numbers are their places here.
-const MODES: [&str; 7] = ["exact", "adaptive", "uniform", "jittered", "at-edges", "raster", "progressive"];
+const MODES: [&str; 8] =
+    ["exact", "adaptive", "uniform", "jittered", "at-edges", "raster", "progressive", "account"];
 
 /// Is the mode's number.
 const NUMBER: usize = place(&MODES, MODE);
@@ -26,6 +27,9 @@ pub const RASTER: bool = NUMBER == 5;
 
 /// Tells whether the picture becomes finer and finer.
 pub const PROGRESSIVE: bool = NUMBER == 6;
+
+/// Tells whether rows and pixels are measured one by one, not the picture as a whole.
+pub const ACCOUNT: bool = NUMBER == 7;
 
 /// Is the mode as a type: an image holds the code of its own mode only. Those of several rays a pixel take
 /// the 2x2 that are their default.
@@ -56,6 +60,7 @@ chosen! {
     4 => AtEdges<Uniform>,
     5 => Exact,
     6 => Exact,
+    7 => Exact,
 }
 
 const fn place(names: &[&str], name: &str) -> usize {

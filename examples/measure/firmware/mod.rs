@@ -1,5 +1,6 @@
 //! What runs on the board: the scene, first against the counter, then for its checksum.
 
+mod account;
 mod board;
 mod chosen;
 #[path = "../../boards/decimal.rs"]
@@ -16,7 +17,7 @@ use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use scanray::{Exact, Progress, RasterRenderer, RasterWorkspace, Renderer, RowError, Workspace};
 
 use self::{
-    chosen::{HEIGHT, MODE, Mode, Number, PROGRESSIVE, RASTER, WIDTH},
+    chosen::{ACCOUNT, HEIGHT, MODE, Mode, Number, PROGRESSIVE, RASTER, WIDTH},
     decimal::Decimal,
     scene::{DEPTH, VIEW},
     sink::Sink,
@@ -38,7 +39,7 @@ type RasterSpace = RasterWorkspace<Number, { WIDTH as usize }>;
 #[cortex_m_rt::entry]
 fn main() -> ! {
     let stride = board::argument();
-    let measured = measure(stride);
+    let measured = if ACCOUNT { account::account() } else { measure(stride) };
     // A host that wants the figures only need not wait for the rest.
     board::print(&[b"measured"]);
     match measured.and_then(|()| identify(stride)) {

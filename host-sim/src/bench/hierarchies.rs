@@ -49,7 +49,7 @@ fn cost_in<S: Literal>(chip: &Chip, accel: Accel) -> Result<Cost, Failure> {
     let grown = meshes::grow(&view, TEAPOT.double, accel);
     let build = begun.elapsed();
     let source = Planted { view, grown, tree: None }.write()?;
-    let image = Image::build_baked(chip, &source, &TEAPOT.double.scene)?;
+    let image = Image::build_baked(chip, &source, &TEAPOT.double.scene, MODE)?;
     let stride = stride(accel);
     let said = emulator::count_instructions(chip, &image, stride)?;
     let drawn = checksum(&view, view.settings.with_quality(Exact), stride).map_err(Refusal::from)?;

@@ -69,14 +69,24 @@ impl Image {
         )
     }
 
-    /// Builds the image of a scene that is baked for a chip, to be drawn exactly; `scene` tells the features
-    /// of the core that it needs.
-    pub fn build_baked(chip: &Chip, source: &Source, scene: &Scene<'_, f64>) -> Result<Self, Failure> {
+    /// Builds the image of a scene that is baked for a chip, in a mode; `scene` tells the features of the core that
+    /// it needs.
+    pub fn build_baked(
+        chip: &Chip,
+        source: &Source,
+        scene: &Scene<'_, f64>,
+        mode: &str,
+    ) -> Result<Self, Failure> {
         let failure = |error: std::io::Error| Failure::File("the baked scene".into(), error.to_string());
         let mut file = tempfile::Builder::new().suffix(".rs").tempfile().map_err(failure)?;
         file.write_all(source.items.as_bytes()).map_err(failure)?;
         let flags = format!("{FLAGS} --cfg scanray_baked");
-        Self::link(chip, &features(scene), &flags, &[("SCANRAY_BAKED", file.path().as_os_str())])
+        Self::link(
+            chip,
+            &features(scene),
+            &flags,
+            &[("SCANRAY_BAKED", file.path().as_os_str()), ("SCANRAY_MODE", mode.as_ref())],
+        )
     }
 
     fn link(chip: &Chip, features: &str, flags: &str, variables: &[(&str, &OsStr)]) -> Result<Self, Failure> {

@@ -3,6 +3,7 @@
 //! An image of `examples/measure` is built for each scene and chip and run on the emulated chip. The host
 //! checks that the chip drew the very picture whose distance from the reference it tells.
 
+mod account;
 mod case;
 mod chip;
 mod emulator;
@@ -19,6 +20,7 @@ mod snapshot;
 mod table;
 mod truth;
 
+pub use account::{Account, account};
 pub use case::{Case, Choice};
 pub use chip::{CHIPS, Chip};
 pub(crate) use emulator::{PATIENCE, QEMU, listen};

@@ -31,6 +31,6 @@ pub(super) fn run(args: &BenchArgs, out: &mut impl Write) -> Result<(), Error> {
 }
 
 /// Tells what is at work; if nobody is there to be told, that stops nothing.
-fn tell(what: &str) {
+pub(super) fn tell(what: &str) {
     let _ = writeln!(std::io::stderr(), "{what}");
 }

@@ -1,5 +1,6 @@
-use super::look::{depth, scene, size};
+use super::look::{Curve, depth, scene, size};
 use super::{Error, args};
+use crate::dither::Method;
 use crate::explain::Explanation;
 use crate::panel::Panel;
 use crate::shot::{Number, Shot};
@@ -37,6 +38,12 @@ pub(super) struct ExplainArgs {
     /// How many mirrors light may have met [default: the scene's]
     #[arg(long, value_name = "N", value_parser = depth)]
     pub depth: Option<u8>,
+    /// How light becomes levels [default: the scene's]
+    #[arg(long, value_enum)]
+    pub transfer: Option<Curve>,
+    /// How levels are rounded to those the panel has [default: the scene's]
+    #[arg(long, value_name = "METHOD")]
+    pub dither: Option<Method>,
     /// Print the tree of rays as a graph for Graphviz and nothing else
     #[arg(long)]
     pub dot: bool,
@@ -52,6 +59,8 @@ impl ExplainArgs {
         shot.panel = self.panel;
         shot.size = self.size.unwrap_or(shot.size);
         shot.depth = self.depth.unwrap_or(shot.depth);
+        shot.transfer = self.transfer.map_or(shot.transfer, Curve::transfer);
+        shot.dither = self.dither.map_or(shot.dither, Method::dither);
         Ok(shot)
     }
 }

@@ -65,6 +65,7 @@ impl ValueEnum for What {
             Self::Rays => "Rays of all kinds",
             Self::Shapes => "How often a shape is asked whether a ray meets it",
             Self::Operations => "Sums, products, quotients, roots and powers",
+            Self::Instructions => "Instructions that a chip executes; needs `--chip`",
         }))
     }
 }

@@ -11,6 +11,8 @@ pub struct Bill {
     pub shapes: u64,
     /// Operations of the number by kind.
     pub operations: Operations,
+    /// Instructions that a chip has executed; none where no chip was asked.
+    pub instructions: Option<u64>,
     /// Place of the object that the ray from the eye has met; none for the sky.
     pub sees: Option<u16>,
 }
@@ -32,11 +34,13 @@ pub enum What {
     Shapes,
     /// Operations of the number.
     Operations,
+    /// Instructions of a chip.
+    Instructions,
 }
 
 impl What {
     /// Lists all.
-    pub const ALL: [Self; 3] = [Self::Rays, Self::Shapes, Self::Operations];
+    pub const ALL: [Self; 4] = [Self::Rays, Self::Shapes, Self::Operations, Self::Instructions];
 
     /// Answers the name, as commands take it.
     pub fn name(self) -> &'static str {
@@ -44,6 +48,7 @@ impl What {
             Self::Rays => "rays",
             Self::Shapes => "shapes",
             Self::Operations => "operations",
+            Self::Instructions => "instructions",
         }
     }
 
@@ -53,6 +58,7 @@ impl What {
             Self::Rays => bill.rays.total(),
             Self::Shapes => bill.shapes,
             Self::Operations => bill.operations.total(),
+            Self::Instructions => bill.instructions.unwrap_or(0),
         }
     }
 }
@@ -75,7 +81,7 @@ impl Stand {
         let now = Self::now();
         let sees = watch.met.filter(|object| *object != u16::MAX);
         let operations = now.operations - self.operations;
-        Bill { rays: watch.rays, shapes: now.shapes - self.shapes, operations, sees }
+        Bill { rays: watch.rays, shapes: now.shapes - self.shapes, operations, instructions: None, sees }
     }
 }
 

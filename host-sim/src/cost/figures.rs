@@ -32,7 +32,9 @@ pub fn dearest(map: &Map, what: What, names: &Names, count: usize) -> String {
     order.sort_by_key(|(place, bill)| (std::cmp::Reverse(what.of(bill)), *place));
     let heads =
         ["pixel", "rays", "shadow", "reflect", "refract", "shapes", "operations", "x", "/", "root", "pow"];
-    let mut text = line(&heads.map(str::to_owned), "sees");
+    let instructions = map.pixels.first().and_then(|bill| bill.instructions).map(|_| "instructions");
+    let heads: Vec<String> = heads.into_iter().chain(instructions).map(str::to_owned).collect();
+    let mut text = line(&heads, "sees");
     for (place, bill) in order.into_iter().take(count) {
         let columns = map.size[0].max(1) as usize;
         let (rays, operations) = (bill.rays, bill.operations);
@@ -49,14 +51,17 @@ pub fn dearest(map: &Map, what: What, names: &Names, count: usize) -> String {
             operations.powers,
         ];
         let pixel = format!("{},{}", place % columns, place / columns);
-        let cells: Vec<String> = [pixel].into_iter().chain(numbers.map(|n| n.to_string())).collect();
+        let cells: Vec<String> = [pixel]
+            .into_iter()
+            .chain(numbers.into_iter().chain(bill.instructions).map(|n| n.to_string()))
+            .collect();
         text += &line(&cells, &format!("{}: {}", names.object(bill.sees.map(usize::from)), why(bill)));
     }
     text
 }
 
 fn line(cells: &[String], last: &str) -> String {
-    const WIDTHS: [usize; 11] = [9, 6, 7, 8, 8, 8, 11, 8, 6, 6, 6];
+    const WIDTHS: [usize; 12] = [9, 6, 7, 8, 8, 8, 11, 8, 6, 6, 6, 13];
     let cells: String = cells.iter().zip(WIDTHS).map(|(cell, width)| format!("{cell:>width$}")).collect();
     format!("  {cells}  {last}\n")
 }
@@ -69,14 +74,16 @@ fn why(bill: &Bill) -> String {
     let cause = if rays.refraction > 0 {
         format!("glass splits it into {} rays", onward + rays.primary)
     } else if onward > 0 {
-        format!("{onward} mirrors on its way")
+        format!("{} on its way", some(onward, "mirror"))
     } else if rays.shadow > 0 {
-        format!(
-            "{} asked for",
-            if rays.shadow == 1 { "a light".to_owned() } else { format!("{} lights", rays.shadow) }
-        )
+        format!("{} asked for", some(rays.shadow, "light"))
     } else {
         "one ray and no light".to_owned()
     };
     format!("{cause}, {asked:.1} shapes a ray")
+}
+
+/// Answers how many things there are, one at least, in words.
+fn some(count: u64, thing: &str) -> String {
+    if count == 1 { format!("a {thing}") } else { format!("{count} {thing}s") }
 }

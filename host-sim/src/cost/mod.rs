@@ -2,7 +2,7 @@
 //!
 //! A picture is traced in a number that counts ([`Tally`]), of shapes that count: the core itself is the one
 //! that devices run. Each pixel is traced alone, from left to right; what a row takes once, to find its spans, is
-//! left out of its pixels, as are the steps from ray to ray.
+//! left out of its pixels, as are the steps from ray to ray. Instructions come from a chip that is emulated.
 
 mod bill;
 mod counted;
@@ -13,6 +13,7 @@ pub use bill::{Bill, What};
 pub use figures::{bars, dearest};
 pub use heat::heat;
 
+use crate::bench::Account;
 use crate::growth::Tally;
 use crate::picture::MAX_DEPTH;
 use crate::rounded::camera_in;
@@ -31,7 +32,7 @@ pub struct Map {
     pub size: [u32; 2],
     /// What each pixel takes, row by row from the top.
     pub pixels: Vec<Bill>,
-    /// What each row takes beside its pixels.
+    /// What each row takes beside its pixels; of instructions, all that it takes.
     pub rows: Vec<Bill>,
 }
 
@@ -82,6 +83,17 @@ pub fn count(shot: &Shot, row_done: impl FnMut(u32)) -> Result<Map, Uncounted> {
         volume: scene.volume,
     };
     Ok(trace(shot, &scene, settings(&description, shot), row_done)?)
+}
+
+impl Map {
+    /// Adds what a chip has executed for each pixel alone, and for each row as a whole.
+    pub fn charge(&mut self, account: &Account) {
+        let charge = |bills: &mut [Bill], counts: &[u64]| {
+            bills.iter_mut().zip(counts).for_each(|(bill, count)| bill.instructions = Some(*count));
+        };
+        charge(&mut self.pixels, &account.pixels);
+        charge(&mut self.rows, &account.rows);
+    }
 }
 
 fn counted(object: &Object<Tally>) -> Object<Tally, Counted> {

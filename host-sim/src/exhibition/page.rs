@@ -4,6 +4,7 @@ use crate::memory::Bill;
 use crate::panel::Panel;
 use crate::shot::{Number, Shot};
 use maud::{DOCTYPE, Markup, html};
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, PercentEncode, utf8_percent_encode};
 use scanray::Fixed;
 
 /// Is what the entrance says of a scene.
@@ -34,6 +35,12 @@ impl Card {
     }
 }
 
+/// Writes a name as part of an address, in which `#`, `?` and `%` mean something of their own (RFC 3986).
+fn address(name: &str) -> PercentEncode<'_> {
+    const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.');
+    utf8_percent_encode(name, PLAIN)
+}
+
 /// Writes the page that leads to the rooms.
 pub fn entrance(cards: &[Card]) -> String {
     let content = html! {
@@ -44,8 +51,8 @@ pub fn entrance(cards: &[Card]) -> String {
         ul.cards {
             @for Card { name, about, size: [columns, rows], psnr } in cards {
                 li {
-                    a href={ (name) "/index.html" } {
-                        img src={ (name) "/f32-rgb565.png" } width=(columns) height=(rows) alt=(about) loading="lazy";
+                    a href={ (address(name)) "/index.html" } {
+                        img src={ (address(name)) "/f32-rgb565.png" } width=(columns) height=(rows) alt=(about) loading="lazy";
                         h2 { (name) }
                     }
                     p { (about) }

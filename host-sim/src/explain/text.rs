@@ -1,6 +1,7 @@
 use super::parting::furthest;
 use super::{Column, Explanation, LightRay, Node, parting};
 use crate::reference::{Lit, Shine, Surface, Vector, Visit};
+use scanray::Dither;
 use std::fmt::{self, Display, Formatter};
 
 /// Is how wide a column is: three figures.
@@ -14,9 +15,11 @@ impl Display for Explanation {
             self.ray(f, node)?;
         }
         writeln!(f, "\nThe pixel")?;
+        writeln!(f, "  {}", self.rounding())?;
         self.veil(f)?;
         self.row(f, "light", |column| Some(column.account.light.0.to_vec()))?;
         self.row(f, "in steps", |column| Some(column.levels.clone()))?;
+        self.words(f, "in bits", |column| bits(column.shown, self.shot.panel.tops()))?;
         self.words(f, "shown", |column| format!("{:?}", column.shown))?;
         self.closing(f)
     }
@@ -35,6 +38,18 @@ impl Explanation {
             write!(f, "{:>11}", format!("{} off", column.name))?;
         }
         writeln!(f)
+    }
+
+    /// Says how the pixel's place decides between the two levels beside what is wanted.
+    fn rounding(&self) -> String {
+        let ([x, y], panel) = (self.pixel, self.shot.panel.name());
+        if matches!(self.shot.dither, Dither::Diffused) {
+            return format!(
+                "is rounded to steps of {panel} with what the pixels to its left were rounded off by"
+            );
+        }
+        let from = 1.0 - f64::from(self.shot.dither.threshold(x, y)) / 65_536.0;
+        format!("is rounded up to the next step of {panel} from {from:.3} of one on")
     }
 
     /// Tells of a ray and all that its surface sends.
@@ -200,6 +215,16 @@ impl Explanation {
 
 fn shine(surface: &Surface, ray: &LightRay) -> Shine {
     surface.lights.get(ray.light).copied().unwrap_or(Shine::Away)
+}
+
+/// Writes what a panel gets for what it shows in 8 bits a channel: the bits of each channel, the highest first.
+fn bits(shown: [u8; 3], tops: &[u8]) -> String {
+    let channel = |(shown, top): (&u8, &u8)| {
+        // As many steps of 255 as the panel has levels, back to the nearest level.
+        let level = (u16::from(*shown) * u16::from(*top) + 127) / 255;
+        format!("{level:0width$b}", width = top.count_ones() as usize)
+    };
+    shown.iter().zip(tops).map(channel).collect::<Vec<_>>().join(" ")
 }
 
 /// Writes a value in nine places, with as many decimals as they leave.

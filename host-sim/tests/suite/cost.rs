@@ -1,6 +1,7 @@
 //! What pixels cost: counted by the core itself, drawn as a map, told in words.
 
 use crate::desk::{Desk, assert_refused, read, stdout};
+use host_sim::bench::{Account, Chip, Row, Snapshot, account};
 use host_sim::cost::{Bill, Map, What, bars, count, dearest, heat};
 use host_sim::explain::Names;
 use host_sim::growth::{Operations, Tally};
@@ -117,9 +118,40 @@ fn a_scene_is_counted_on_the_command_line() {
 }
 
 #[test]
+fn what_a_chip_executes_stands_beside_the_rest() {
+    let names = Names::of(&scenes::find("simple").unwrap());
+    let mut map = map_of(&[3, 9]);
+    assert!(!dearest(&map, What::Rays, &names, 2).contains("instructions"));
+    map.charge(&Account { rows: vec![77], pixels: vec![20, 10] });
+    assert_eq!(map.rows[0].instructions, Some(77));
+    let text = dearest(&map, What::Instructions, &names, 2);
+    let pixels: Vec<_> = text.lines().skip(1).map(|line| line.split_whitespace().next().unwrap()).collect();
+    assert!(pixels == ["0,0", "1,0"] && text.contains("instructions") && text.contains(" 20 "), "{text}");
+}
+
+#[test]
+#[ignore = "needs qemu-system-arm and the target thumbv7em-none-eabihf (run by .ci/run)"]
+fn the_rows_of_a_chip_add_up_to_the_picture_that_the_bench_measures() {
+    let (chip, scene) = (Chip::find("m4f").unwrap(), scenes::find("three-spheres").unwrap());
+    let Account { rows, pixels } = account(chip, &scene, scene.double.settings.depth).unwrap();
+    let kept = Snapshot::read().unwrap();
+    let is_same = |row: &&Row| row.scene == scene.name() && row.chip == chip.name && row.mode == "exact";
+    let whole = kept.0.iter().find(is_same).unwrap().instr_per_px;
+    // The same scene as source of its own is laid out otherwise in flash, and the bench begins its picture as well.
+    let drawn = rows.iter().sum::<u64>() as f64 / pixels.len() as f64;
+    assert!((drawn / whole - 1.0).abs() < 0.03, "{drawn} of {whole}");
+    // The sky is above; the mirror is in the middle of the picture.
+    let [sky, mirror] = [pixels[10], pixels[120 * 320 + 160]];
+    assert!(3 * sky < mirror && rows[0] < rows[120], "{sky} {mirror}");
+}
+
+#[test]
 fn what_cannot_be_counted_is_refused_with_a_way_out() {
     let desk = Desk::new("cost-wrong");
     assert_refused(&desk, "cost simpel", &["did you mean 'simple'"]);
     assert_refused(&desk, "cost --what time", &["rays", "operations"]);
+    assert_refused(&desk, "cost --what instructions", &["--chip"]);
+    assert_refused(&desk, "cost --chip m4f --size 8x8", &["--size"]);
+    assert_refused(&desk, "cost --chip z80", &["m4f, m3, m0+"]);
     assert_refused(&desk, "cost --size 8x8 -o no/such/place.png", &["no/such/place.png", "-o"]);
 }

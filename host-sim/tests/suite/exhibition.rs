@@ -50,15 +50,17 @@ fn every_number_and_panel_shows_what_is_drawn_in_it() {
 }
 
 #[test]
-fn words_of_a_scene_are_no_page_of_their_own() {
+fn words_of_a_scene_are_no_page_and_no_address_of_their_own() {
     let desk = Desk::new("gallery-words");
     let text = "Scene(about: \"<b>bold</b> & more\", size: (8, 6), camera: (eye: (0, 0, 5), center: (0, 0, 0), \
         projection: Perspective(fovy: 40)), materials: {\"red\": (color: (1, 0, 0))}, \
         objects: [(shape: Sphere(center: (0, 0, 0), radius: 1), material: \"red\")])";
-    std::fs::write(desk.0.join("mine.ron"), text).unwrap();
-    let output = desk.run("gallery mine.ron -o public");
+    std::fs::write(desk.0.join("50%#1?.ron"), text).unwrap();
+    let output = desk.run("gallery 50%#1?.ron -o public");
     assert!(output.status.success(), "{output:?}");
-    for file in ["public/index.html", "public/mine/index.html"] {
+    let entrance = page(&desk.0.join("public/index.html"));
+    assert_eq!(named(&entrance, "href")[1..], ["50%25%231%3F/index.html"], "{entrance}");
+    for file in ["public/index.html", "public/50%#1?/index.html"] {
         let page = page(&desk.0.join(file));
         assert!(page.contains("&lt;b&gt;bold&lt;/b&gt; &amp; more") && !page.contains("<b>"), "{page}");
     }

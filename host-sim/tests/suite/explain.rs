@@ -251,6 +251,38 @@ fn the_step_that_is_off_is_named() {
     assert_eq!(parting(&explained, &short).step.unwrap().what, "R2: no such ray is sent");
 }
 
+/// Answers the words behind a heading in an explanation's text.
+fn said<'t>(text: &'t str, heading: &str) -> &'t str {
+    let mut lines = text.lines().filter_map(|line| line.trim_start().strip_prefix(heading));
+    lines.next().unwrap_or_else(|| panic!("no {heading:?} in {text}")).trim_start()
+}
+
+#[test]
+fn the_rounding_that_is_told_makes_the_bits_that_are_told() {
+    // 25, 50 and 25 in channels of 5, 6 and 5 bits.
+    let text = mirrored().to_string();
+    assert!(said(&text, "in bits").starts_with("11001 110010 11001  "), "{text}");
+    let scene = scenes::find("still-life").unwrap();
+    for (panel, channels) in [(Panel::Rgb565, 3), (Panel::Gray4, 1), (Panel::Mono, 1)] {
+        for pixel in scattered(24) {
+            let shot = Shot { panel, dither: Dither::Ordered, ..shot(scene) };
+            let text = explained(shot, Number::F32, pixel).to_string();
+            let rule = said(&text, "is rounded up to the next step of");
+            let from: f64 = rule.split_whitespace().nth(2).unwrap().parse().unwrap();
+            let bits = said(&text, "in bits").split_whitespace();
+            let bits: Vec<_> = bits.take(channels).map(|bits| u8::from_str_radix(bits, 2).unwrap()).collect();
+            let steps = said(&text, "in steps").split_whitespace().take(channels);
+            for (step, level) in steps.map(|step| step.parse::<f64>().unwrap()).zip(bits) {
+                let up = (step.fract() - from).abs() < 0.002
+                    || f64::from(level) == step.floor() + f64::from(step.fract() > from);
+                assert!(up, "{pixel:?} {panel:?}: {step} from {from} is {level}");
+            }
+        }
+    }
+    let shot = Shot { dither: Dither::Diffused, ..shot(scene) };
+    assert!(explained(shot, Number::F32, [9, 9]).to_string().contains("to its left"));
+}
+
 #[test]
 fn a_drawn_tree_has_every_ray_once_and_a_line_to_each_from_its_parent() {
     let explained = explained_glass();
@@ -293,6 +325,7 @@ fn what_cannot_be_explained_is_refused_with_a_way_out() {
     assert_refused(&desk, "explain simple 0 48 --size 64x48", &["no pixel 0,48 in 64x48", "--size"]);
     assert_refused(&desk, "explain simpel 0 0", &["did you mean 'simple'"]);
     assert_refused(&desk, "explain simple", &["<X>"]);
+    assert_refused(&desk, "explain simple 0 0 --dither floyd", &["ordered", "diffused"]);
     assert_refused(&desk, "explain simple 0 0 --number oracle", &["f32, fixed and exact"]);
     assert_refused(&desk, "explain simple 0 0 --svg no/such/place.svg", &["no/such/place.svg"]);
     assert_eq!(desk.files(), [""; 0]);

@@ -1,0 +1,77 @@
+//! Where a picture's instructions go on a chip: those of each row, and of each of its pixels traced alone.
+
+use super::emulator::{self, Said};
+use super::image::Image;
+use super::truth::checksum;
+use super::{Chip, Failure, SIZE};
+use crate::bake::source::{Literal, Planted};
+use crate::bake::{Accel, meshes};
+use crate::scenes::Entry;
+use crate::shot::{Number, Refusal};
+use scanray::{Exact, Fixed};
+
+/// Is the mode of the firmware in which it accounts for its pixels.
+const MODE: &str = "account";
+
+/// Holds the executed instructions of a picture of [`SIZE`], one ray a pixel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Account {
+    /// Those of each row as it is drawn, from the top.
+    pub rows: Vec<u64>,
+    /// Those of each pixel traced alone, row by row; what a row takes to begin there is left out.
+    pub pixels: Vec<u64>,
+}
+
+/// Counts the instructions of each row and pixel of a scene on a chip, in the number that suits it.
+///
+/// # Errors
+/// What keeps the image from being built or run, or a picture that is not the host's.
+pub fn account(chip: &Chip, scene: &Entry, depth: u8) -> Result<Account, Failure> {
+    match chip.number {
+        Number::F32 => account_in::<f32>(chip, scene, depth),
+        _ => account_in::<Fixed>(chip, scene, depth),
+    }
+}
+
+fn account_in<S: Literal>(chip: &Chip, scene: &Entry, depth: u8) -> Result<Account, Failure> {
+    let mut view = *S::view(scene);
+    view.settings = view.settings.with_depth(depth);
+    let drawn = checksum(&view, view.settings.with_quality(Exact), 1).map_err(Refusal::from)?;
+    let grown = meshes::grow(&view, scene.double, Accel::default());
+    let source = Planted { view, grown, tree: None }.write()?;
+    let image = Image::build_baked(chip, &source, &scene.double.scene, MODE)?;
+    let said = emulator::count_each(chip, &image)?;
+    if said.figure(MODE, "checksum")? != drawn {
+        return Err(Failure::OtherPicture(view.name.to_owned(), chip.name));
+    }
+    read(&said).ok_or_else(|| Failure::Firmware("rows are missing in its account".to_owned()))
+}
+
+/// Reads a line for each row: its own instructions, then those of its pixels.
+fn read(said: &Said) -> Option<Account> {
+    let mut account = Account { rows: vec![], pixels: vec![] };
+    for line in said.lines("row ") {
+        let counts: Vec<u64> =
+            line.split(' ').map(|ticks| ticks.parse().ok().map(emulator::each)).collect::<Option<_>>()?;
+        let (row, pixels) = counts.split_first()?;
+        account.rows.push(*row);
+        account.pixels.extend(pixels);
+    }
+    let [width, height] = SIZE.map(|side| side as usize);
+    (account.rows.len() == height && account.pixels.len() == width * height).then_some(account)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_account_with_a_pixel_too_few_is_refused() {
+        let row = |pixels: usize| format!("row 800{}\n", " 16".repeat(pixels));
+        let said = |last| Said::from("measured\n".to_owned() + &row(320).repeat(239) + &row(last));
+        let account = read(&said(320)).unwrap();
+        // 64 ns an instruction, 40 ns a tick.
+        assert_eq!((account.rows[239], account.pixels[76_799]), (500, 10));
+        assert_eq!([319, 321].map(|last| read(&said(last))), [None, None]);
+    }
+}
