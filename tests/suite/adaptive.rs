@@ -209,3 +209,15 @@ fn nothing_is_filled_in_across_the_edge_of_a_shadow() {
     assert!(exact.windows(2).any(|pair| pair[0] != pair[1]));
     assert_eq!(exact, adaptive);
 }
+
+#[test]
+fn what_is_filled_in_rises_evenly_between_two_samples() {
+    let materials = [Material::matte(Rgb::WHITE).with_ambient(0.0)];
+    let lights = [Light::point(Vec3::new(-2.0, 0.0, -7.0), Rgb::WHITE)];
+    let [exact, adaptive] = row_before(&[Object::new(Shape::Plane(WALL), 0)], &materials, &lights);
+    // Eight columns of it differ by up to ten levels.
+    assert!(exact.windows(9).any(|columns| columns[0].luma().abs_diff(columns[8].luma()) > 6));
+    for (x, (exact, adaptive)) in exact.iter().zip(&adaptive).enumerate() {
+        assert!(exact.luma().abs_diff(adaptive.luma()) <= 1, "column {x}: {adaptive:?}, not {exact:?}");
+    }
+}
