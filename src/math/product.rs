@@ -118,7 +118,8 @@ mod tests {
 
     #[test]
     fn products_of_halves_are_the_products() {
-        for (a, b) in numbers().flat_map(|a| numbers().map(move |b| (a, b))) {
+        let some = || numbers().step_by(if cfg!(miri) { 23 } else { 1 });
+        for (a, b) in some().flat_map(|a| some().map(move |b| (a, b))) {
             assert_eq!(halves::signed(a, b), whole::signed(a, b), "{a} * {b}");
             assert_eq!(halves::high(a, b), whole::high(a, b), "{a} * {b}");
             let (a, b) = (a as u32, b as u32);
@@ -130,7 +131,7 @@ mod tests {
 
     #[test]
     fn squares_of_halves_are_the_squares() {
-        for a in numbers().chain((i32::MIN..=i32::MAX).step_by(65_521)) {
+        for a in numbers().chain((i32::MIN..=i32::MAX).step_by(if cfg!(miri) { 6_552_101 } else { 65_521 })) {
             assert_eq!(halves::square_high(a), whole::square_high(a), "{a}");
         }
     }

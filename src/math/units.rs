@@ -89,6 +89,16 @@ mod tests {
     }
 
     #[test]
+    fn a_length_comes_back_in_the_units_of_the_scene() {
+        for largest in [1e-6, 3.0, 20_000.0] {
+            let units = Units::for_largest(largest);
+            let there_and_back = units.in_scene(units.length(0.7 * largest));
+            // Half a step of 2^-20 in 179 is 2.7e-9.
+            assert!((there_and_back / (0.7 * largest) - 1.0).abs() < 3e-9, "{largest}: {there_and_back}");
+        }
+    }
+
+    #[test]
     fn no_largest_length_leaves_lengths_as_they_are() {
         for nothing in [0.0, f64::NAN, f64::INFINITY] {
             assert_eq!(Units::for_largest(nothing).length(3.0), Fixed::new(3.0));

@@ -90,6 +90,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn numbers_are_hashed_as_published() {
+        // pcg3d's x and y of 32 bits: 9bafd7c6 a8e88a6b, fa9f79a6 48f2f44c, 8580f039 5a4b9074.
+        let of = [hash(0, 0, 0), hash(1, 2, 3), hash(319, 239, 8)];
+        assert_eq!(of, [[0x9baf, 0xa8e8], [0xfa9f, 0x48f2], [0x8580, 0x5a4b]]);
+    }
+
+    #[test]
     fn every_sample_stays_in_its_own_square() {
         for side in 1..=MOST {
             for number in 0..u32::from(side) * u32::from(side) {

@@ -87,3 +87,14 @@ impl Observer for RayCounts {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_of_all_kinds_are_counted_together() {
+        let counts = RayCounts { primary: 1, shadow: 20, reflection: 300, refraction: 4000 };
+        assert_eq!(counts.total(), 4321);
+    }
+}

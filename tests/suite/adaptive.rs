@@ -126,6 +126,22 @@ fn a_part_of_a_picture_comes_out_as_in_the_whole() {
     }
 }
 
+#[test]
+fn the_columns_that_are_traced_lie_half_a_step_apart_in_rows_next_to_each_other() {
+    let scene: Scene = Scene::new(&[], &[], &[]);
+    let camera = Camera::perspective(Vec3::ZERO, Vec3::new(0.0, 0.0, -1.0), Vec3::new(0.0, 1.0, 0.0), 60.0);
+    let settings = Settings::new().with_depth(0).with_quality(Adaptive);
+    let mut workspace = Workspace::<f32, Rgb565, 0, 0>::new();
+    let mut renderer =
+        Renderer::new(&scene, &camera, Size::new(16, 4), settings, &mut workspace).expect("a good scene");
+    // Columns 0, 8 and 15, then 0, 4, 12 and 15.
+    for (y, columns) in (0..).zip([3, 4, 3, 4]) {
+        let mut rays = RayCounts::default();
+        renderer.watch_row(y, &mut [Rgb565::BLACK; 16], &mut rays).expect("a row of the picture");
+        assert_eq!(rays.primary, columns, "row {y}");
+    }
+}
+
 /// Is a row of a camera that looks straight at what stands 10 before it: a column is 0.1 wide.
 fn row_before(objects: &[Object], materials: &[Material], lights: &[Light]) -> [[Gray8; 64]; 2] {
     let scene = Scene::new(objects, materials, lights).with_ambient(Rgb::WHITE);
@@ -192,4 +208,16 @@ fn nothing_is_filled_in_across_the_edge_of_a_shadow() {
     let [exact, adaptive] = row_before(&objects, &materials, &lights);
     assert!(exact.windows(2).any(|pair| pair[0] != pair[1]));
     assert_eq!(exact, adaptive);
+}
+
+#[test]
+fn what_is_filled_in_rises_evenly_between_two_samples() {
+    let materials = [Material::matte(Rgb::WHITE).with_ambient(0.0)];
+    let lights = [Light::point(Vec3::new(-2.0, 0.0, -7.0), Rgb::WHITE)];
+    let [exact, adaptive] = row_before(&[Object::new(Shape::Plane(WALL), 0)], &materials, &lights);
+    // Eight columns of it differ by up to ten levels.
+    assert!(exact.windows(9).any(|columns| columns[0].luma().abs_diff(columns[8].luma()) > 6));
+    for (x, (exact, adaptive)) in exact.iter().zip(&adaptive).enumerate() {
+        assert!(exact.luma().abs_diff(adaptive.luma()) <= 1, "column {x}: {adaptive:?}, not {exact:?}");
+    }
 }

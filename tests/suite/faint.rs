@@ -28,11 +28,11 @@ fn between_mirrors<T>(mirror: f32, look: impl FnOnce(&Scene<'_>, &Camera) -> T) 
     look(&scene, &Camera::perspective(v(0.0, 0.0, 4.5), v(0.3, -0.2, 0.0), v(0.0, 1.0, 0.0), 60.0))
 }
 
-/// Traces every ray to its end.
-fn whole(scene: &Scene<'_>, camera: &Camera) -> (Vec<Rgb>, RayCounts) {
+/// Traces every ray to its end, or to a number of levels.
+fn whole(scene: &Scene<'_>, camera: &Camera, depth: u8) -> (Vec<Rgb>, RayCounts) {
     let frame = camera.frame(SIZE, SIZE).expect("a good camera");
     let mut pending = [Pending::NONE; DEPTH as usize];
-    let mut tracer = Tracer::new(scene, &mut pending);
+    let mut tracer = Tracer::new(scene, &mut pending[..usize::from(depth)]);
     let mut counts = RayCounts::default();
     let mut light = Vec::new();
     for y in 0..SIZE {
@@ -105,7 +105,7 @@ channels!(Four, Gray4, p => [p.luma(); 3]);
 fn faint_reflections_are_left_out_and_no_panel_shows_it() {
     for mirror in [0.005, 0.01, 0.02] {
         between_mirrors(mirror, |scene, camera| {
-            let ((light, traced), (all, needed)) = (rendered(scene, camera), whole(scene, camera));
+            let ((light, traced), (all, needed)) = (rendered(scene, camera), whole(scene, camera, DEPTH));
             assert!(traced.reflection < needed.reflection, "{mirror}: {traced:?} of {needed:?}");
             let off = light.iter().zip(&all).map(|(a, b)| (a.r - b.r).abs().max((a.g - b.g).abs()));
             assert!(off.fold(0.0, f32::max) < 1.0 / 65_536.0);
@@ -122,9 +122,19 @@ fn faint_reflections_are_left_out_and_no_panel_shows_it() {
 #[test]
 fn reflections_that_can_be_seen_are_all_followed() {
     between_mirrors(0.9, |scene, camera| {
-        let ((light, traced), (all, needed)) = (rendered(scene, camera), whole(scene, camera));
+        let ((light, traced), (all, needed)) = (rendered(scene, camera), whole(scene, camera, DEPTH));
         assert_eq!(traced, needed);
         assert_eq!(light, all);
+    });
+}
+
+#[test]
+fn reflections_are_followed_as_long_as_they_bring_a_level_s_share_of_the_faintest_light() {
+    // The third level brings 0.02^3 of 0.6, 4.8e-6, the fourth 9.6e-8; a thirteenth of 2^-16 is 1.2e-6.
+    between_mirrors(0.02, |scene, camera| {
+        let ((_, traced), (_, needed)) = (rendered(scene, camera), whole(scene, camera, 3));
+        assert!(needed.reflection > whole(scene, camera, 2).1.reflection);
+        assert_eq!(traced, needed);
     });
 }
 

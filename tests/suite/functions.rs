@@ -26,6 +26,15 @@ fn powers_of_cosines_are_right() {
 }
 
 #[test]
+fn squares_in_fixed_point_are_rounded_to_the_nearest_step() {
+    for step in (0..1_u32 << 20).step_by(97) {
+        let x = f64::from(step) * STEP;
+        let square = Fixed::new(x).pow_unit(2).to_f64() / STEP;
+        assert_eq!(square, (x * x / STEP).round(), "({step} steps)^2");
+    }
+}
+
+#[test]
 fn falling_exponentials_are_right_from_1_to_nothing() {
     let ways = || (0..60_000).map(|i| f64::from(i) / 2000.0);
     let off = |x: f32| f64::from(x.exp_neg()) / (-f64::from(x)).exp() - 1.0;

@@ -2,7 +2,8 @@
 
 use scanray::accel::{Bvh, BvhNode, Every, Grid, Hierarchy, Kd, KdNode, Lattice, Lists, Octant, Octree};
 use scanray::ray::{Interval, Ray};
-use scanray::{Fault, Scalar, Vec3};
+use scanray::trace::{Candidates, Packet, Tracer};
+use scanray::{Fault, Material, Object, Rgb, Scalar, Scene, Shape, Sphere, Vec3};
 
 const CUBE: Lattice = Lattice::new(Vec3::new(-1.0, -1.0, -1.0), 2.0);
 const WHOLE: [[u16; 3]; 2] = [[0; 3], [65_535; 3]];
@@ -90,6 +91,27 @@ fn a_ray_looks_no_farther_than_the_nearest_thing_so_far() {
             far
         });
         assert_eq!(count, expected, "things are met at {far}");
+    }
+}
+
+#[test]
+fn of_two_things_at_the_same_place_the_one_listed_first_is_seen_in_whichever_order_they_are_named() {
+    let ball: Shape = Shape::Sphere(Sphere::new(Vec3::ZERO, 0.5));
+    let objects = [Object::new(ball, 0), Object::new(ball, 1)];
+    let materials = [Material::flat(Rgb::WHITE), Material::flat(Rgb::BLACK)];
+    let ray = Ray::new(Vec3::new(-5.0, 0.1, 0.1), Vec3::new(1.0, 0.0, 0.0));
+    for items in [&[0, 1], &[1, 0]] {
+        let lists = Lists::new(&[0, 2], items);
+        let tree = Kd { lattice: CUBE, bounds: WHOLE, nodes: &[KdNode::Leaf { list: 0 }], count: 2, lists };
+        let scene = Scene::new(&objects, &materials, &[]).with_hierarchy(&tree);
+        let mut packet = Packet::new();
+        let light = Tracer::new(&scene, &mut []).radiance(
+            &mut packet,
+            std::iter::once((ray, Interval::AHEAD)),
+            Candidates::all(&scene),
+            &mut (),
+        );
+        assert_eq!(light[0], Rgb::WHITE, "named as {items:?}");
     }
 }
 

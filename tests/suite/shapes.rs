@@ -26,6 +26,12 @@ in_every_number! {
     a_plane_is_hit_once_and_never_again,
 }
 
+#[test]
+fn in_floats_a_triangle_reaches_as_far_beyond_each_of_its_corners() {
+    checks::in_floats_a_triangle_reaches_as_far_beyond_each_of_its_corners(|x| x as f32, f64::from);
+    checks::in_floats_a_triangle_reaches_as_far_beyond_each_of_its_corners(|x| x, |x| x);
+}
+
 mod checks {
     use super::*;
 
@@ -240,6 +246,26 @@ mod checks {
         }
         let beside = kit.ray([0.0, 0.0, 1.0], [1.0, 1.0, 0.0]);
         assert!(triangle.intersect(&beside, &ahead()).is_none());
+    }
+
+    pub fn in_floats_a_triangle_reaches_as_far_beyond_each_of_its_corners<S: Scalar>(
+        make: fn(f64) -> S,
+        read: fn(S) -> f64,
+    ) {
+        let kit = Kit(make, read);
+        let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
+        let [a, b, c] = corners.map(|[x, y]| kit.v(x, y, 0.0));
+        let triangle = Triangle::new(a, b, c);
+        for corner in 0..3 {
+            // Beyond both of a corner's edges by a share of the height over them, so by twice that past the third's.
+            let is_met = |share: f64| {
+                let weight = |i| if i == corner { 1.0 + 2.0 * share } else { -share };
+                let [x, y] = [0, 1].map(|axis| (0..3).map(|i| weight(i) * corners[i][axis]).sum());
+                triangle.intersect(&kit.ray([x, y, 5.0], [0.0, 0.0, -1.0]), &ahead()).is_some()
+            };
+            assert!(is_met(0.75 / 65536.0), "corner {corner}");
+            assert!(!is_met(1.25 / 65536.0), "corner {corner}");
+        }
     }
 
     pub fn a_large_triangle_does_not_overflow<S: Scalar>(make: fn(f64) -> S, read: fn(S) -> f64) {

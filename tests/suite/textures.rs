@@ -147,7 +147,9 @@ fn tangents_are_the_ways_the_coordinates_grow() {
     }
     let (from, to) = (Vec3::new(3.0, 4.0, 7.0), Vec3::new(0.2, 0.3, 0.1));
     check(&Sphere::new(Vec3::ZERO, 2.0), from, to);
-    check(&Plane::new(Vec3::ZERO, Vec3::new(1.0, 2.0, 1.5)), from, to);
+    for normal in [[1.0, 2.0, 1.5], [2.0, 1.0, 1.5], [1.5, 1.0, 2.0]] {
+        check(&Plane::new(Vec3::ZERO, Vec3::from_array(normal)), from, to);
+    }
     check(&Plane::new(Vec3::ZERO, Vec3::new(0.0, 0.0, 2.0)), from, to);
     check(&Cuboid::new(Vec3::new(-2.0, -3.0, -1.0), Vec3::new(2.5, 1.0, 1.5)), from, to);
     let corners = [(-3.0, -2.0, 0.0), (4.0, -1.0, 0.5), (0.0, 5.0, -1.0)].map(|(x, y, z)| Vec3::new(x, y, z));

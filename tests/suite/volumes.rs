@@ -173,6 +173,19 @@ fn a_volume_of_nothing_is_not_seen_and_mirrors_do_not_see_any() {
 }
 
 #[test]
+fn a_volume_is_seen_where_there_is_nothing_else_before_a_sky_of_one_colour() {
+    let kit = Kit(|x| x as f32, f64::from);
+    let fog = Volume::new(cube(&kit, &LEVEL, 9), table(&kit, 255), 9.0);
+    let sky = Rgb::new(0.2, 0.3, 0.9);
+    let scene: Scene = Scene::new(&[], &[], &[]).with_ambient(Rgb::WHITE).with_sky(Sky::Solid(sky));
+    let scene = scene.with_volume(&fog);
+    let camera = Camera::perspective(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 60.0);
+    let seen = film(&scene, &camera, [9, 9], Settings::new(), &mut ());
+    assert_eq!(seen[0], sky);
+    assert_near(colors(&kit, seen[40]), [0.8, 0.4, 0.1], 0.01);
+}
+
+#[test]
 fn exposure_is_of_all_light() {
     let view = &gallery::float::PHANTOM;
     let draw = |exposure: f32| {
