@@ -16,7 +16,7 @@ fn address() -> &'static str {
         let site = Site::gather(&core).unwrap_or_else(|fault| panic!("{fault}"));
         let server = Server::new(0).unwrap_or_else(|fault| panic!("{fault}"));
         let address = server.address();
-        std::thread::spawn(move || server.run(&site));
+        std::thread::spawn(move || server.run(site));
         address
     })
 }
