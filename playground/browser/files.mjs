@@ -1,0 +1,77 @@
+// Opens files of one's own: picked, dropped, with one missing that comes later. The folder is that of the project's scenes.
+
+import { readFile } from 'node:fs/promises';
+import { checksum, demand, rest, sit } from './sitting.mjs';
+
+const [, , , folder] = process.argv;
+const at = (name) => `${folder}/${name}`;
+
+/** Drops files on the page as a hand does: over it, then down. */
+async function drop(page, names) {
+  const files = await Promise.all(
+    names.map(async (name) => ({ name, content: [...(await readFile(at(name)))] })),
+  );
+  const transfer = await page.evaluateHandle((files) => {
+    const transfer = new DataTransfer();
+    for (const { name, content } of files) transfer.items.add(new File([new Uint8Array(content)], name.split('/').pop()));
+    return transfer;
+  }, files);
+  for (const type of ['dragover', 'drop']) await page.dispatchEvent('#controls', type, { dataTransfer: transfer });
+}
+
+await sit(
+  async (page) => {
+    const [form, text, fault] = ['#controls', '#text', '#fault'].map((place) => page.locator(place));
+    const opened = (name) =>
+      page.waitForFunction((name) => document.querySelector('[name=scene]').selectedOptions[0].text === name, name);
+    await rest(page, { scene: 'simple' });
+    const before = await checksum(page);
+
+    // By keys alone: the button asks for files.
+    await page.locator('#pick').focus();
+    const chooser = page.waitForEvent('filechooser');
+    await page.keyboard.press('Enter');
+    await (await chooser).setFiles(['planets.ron', 'craters.png'].map(at));
+    await fault.getByText('cannot read the image').waitFor();
+    const said = await fault.textContent();
+    demand(/(world|peel|dimples)\.png: there is no such file/.test(said), `which is missing is not told: ${said}`);
+    demand((await checksum(page)) === before, 'a scene that lacks a file takes the picture away');
+
+    await drop(page, ['world.png', 'peel.png', 'dimples.png']);
+    await opened('planets.ron (yours)');
+    await rest(page, { scene: '' });
+    demand((await text.inputValue()) === (await readFile(at('planets.ron'), 'utf8')), 'the text is another');
+    console.log('planets', await checksum(page));
+    demand(await fault.isHidden(), 'a scene that has all its files is still complained of');
+
+    // A text that is changed still has its files.
+    const planets = await checksum(page);
+    await text.fill((await text.inputValue()).replace('eye: (1.6,', 'eye: (1.7,'));
+    for (let tries = 0; (await checksum(page)) === planets; tries++) {
+      demand(tries < 400, 'another place shows the same picture');
+      await page.waitForTimeout(50);
+    }
+
+    await drop(page, ['nff/balls1.nff']);
+    await opened('balls1.nff (yours)');
+    await rest(page, { scene: '' });
+    console.log('balls1', await checksum(page));
+    demand((await page.locator('#notes li').count()) > 0, 'what of the file is drawn otherwise is not told');
+
+    await drop(page, ['teapot.obj']);
+    await opened('teapot.obj (yours)');
+    await rest(page, { scene: '' });
+    console.log('teapot', await checksum(page));
+    demand((await text.inputValue()).includes('teapot-mesh.obj'), 'the text of the model is not there');
+    await text.fill((await text.inputValue()).replace(/size: .*/, 'size: (60, 45),'));
+    await rest(page, { scene: '', columns: 60, rows: 45 });
+
+    await drop(page, ['world.png']);
+    await fault.getByText('None of these files is a scene').waitFor();
+    await form.locator('[name=scene]').selectOption('simple');
+    await rest(page, { scene: 'simple', columns: 320, rows: 240 });
+    demand((await checksum(page)) === before, 'the gallery is another after files of one’s own');
+    demand((await form.locator('[name=scene] option[value=""]').count()) === 0, 'a closed file is still listed');
+  },
+  { hash: '#scene=simple&number=fixed' },
+);
