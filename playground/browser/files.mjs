@@ -4,6 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { checksum, demand, rest, sit } from './sitting.mjs';
 
 const [, , , folder] = process.argv;
+const SKY = ['x', 'y', 'z'].flatMap((axis) => ['low', 'high'].map((side) => `environment-${side}-${axis}.png`));
 const at = (name) => `${folder}/${name}`;
 
 /** Drops files on the page as a hand does: over it, then down. */
@@ -24,14 +25,15 @@ await sit(
     const [form, text, fault] = ['#controls', '#text', '#fault'].map((place) => page.locator(place));
     const opened = (name) =>
       page.waitForFunction((name) => document.querySelector('[name=scene]').selectedOptions[0].text === name, name);
+    // The browser hands over no chooser that it is asked for too late.
+    const chooser = page.waitForEvent('filechooser');
     await rest(page, { scene: 'simple' });
     const before = await checksum(page);
 
     // By keys alone: the button asks for files.
     await page.locator('#pick').focus();
-    const chooser = page.waitForEvent('filechooser');
     await page.keyboard.press('Enter');
-    await (await chooser).setFiles(['planets.ron', 'craters.png'].map(at));
+    await (await chooser).setFiles(['planets.ron', 'craters.png', ...SKY].map(at));
     await fault.getByText('cannot read the image').waitFor();
     const said = await fault.textContent();
     demand(/(world|peel|dimples)\.png: there is no such file/.test(said), `which is missing is not told: ${said}`);
@@ -56,7 +58,9 @@ await sit(
     await opened('balls1.nff (yours)');
     await rest(page, { scene: '' });
     console.log('balls1', await checksum(page));
-    demand((await page.locator('#notes li').count()) > 0, 'what of the file is drawn otherwise is not told');
+    // Corners on a line are no triangle.
+    await text.fill(`${await text.inputValue()}\np 3\n0 0 0\n1 0 0\n2 0 0\n`);
+    await page.locator('#notes li').getByText('its corners lie on a line: left out').waitFor();
 
     await drop(page, ['teapot.obj']);
     await opened('teapot.obj (yours)');

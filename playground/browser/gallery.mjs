@@ -18,7 +18,7 @@ await sit(
         await form.locator(`[name=${name}]`).press('Enter');
       }
       for (const number of ['oracle', 'exact', 'fixed', 'f32']) {
-        await form.locator(`[value=${number}]`).check();
+        await form.locator(`[name=number][value=${number}]`).check();
         await rest(page, { scene, number, ...SIZE });
         console.log(scene, number, await levels(page));
       }

@@ -1,6 +1,6 @@
 /** The page: what is chosen becomes a look, a look becomes a picture. */
 
-import { explain, rays, tell } from './account.js';
+import { explain, forget, rays, tell } from './account.js';
 import { ask } from './client.js';
 import * as controls from './controls.js';
 import { download } from './download.js';
@@ -25,6 +25,8 @@ const walk = new Walk(choices.walk, () => {
   moving = true;
   draw();
 });
+/** Is where the rays of a pixel are told. */
+const explained = { hint: by('rays-hint'), tree: by('tree'), figures: by('figures') };
 let scene = null;
 /** What the text of the scene is of: the gallery or a model, or the file that it is. */
 let origin = {};
@@ -69,6 +71,8 @@ async function open(request, picked = [], { words, place } = controls.NOTHING) {
     walk.go(walk.place);
   } else {
     stage.point(null);
+    asked = false;
+    forget(by('account'), explained);
     origin = originOf(request, scene);
     controls.name(form.scene, request.ask === 'read' && request.name);
     controls.restore(form, words);
@@ -95,7 +99,7 @@ async function openFiles(name, picked) {
     return false;
   }
   const isOpen = await open({ ask: 'read', name }, picked);
-  if (!isOpen) by('fault').append('\n\nA file that is missing can be picked or dropped now.');
+  if (!isOpen) by('fault').append('\n\nIf a file is missing, pick or drop it now.');
   return isOpen;
 }
 
@@ -181,7 +185,7 @@ async function account() {
   const told = await ask({ ask: 'pixel', at: stage.at }).catch(() => null);
   if (!told) return stage.point(null);
   tell(by('account'), told.pixel);
-  explain({ hint: by('rays-hint'), tree: by('tree'), figures: by('figures') }, told.pixel);
+  explain(explained, told.pixel);
 }
 
 function element(name, text) {

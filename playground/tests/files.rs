@@ -106,12 +106,16 @@ fn a_file_that_is_missing_is_told_by_its_name_and_so_is_the_one_that_was_meant()
 
 #[test]
 fn a_scene_of_the_databases_is_drawn_as_the_host_draws_it_and_its_notes_are_told() {
-    let path = project("scenes/nff/balls1.nff");
+    let path = folder("nff").join("balls1.nff");
+    let text = fs::read_to_string(project("scenes/nff/balls1.nff")).unwrap();
+    // Corners on a line are no triangle.
+    fs::write(&path, text + "\np 3\n0 0 0\n1 0 0\n2 0 0\n").unwrap();
     let host = scenes::read(&path).unwrap();
     let mut desk = Desk::default();
     hand(&mut desk, "balls1.nff", fs::read(&path).unwrap());
     let opened = read(&mut desk, "balls1.nff");
     let notes: Vec<String> = host.file.unwrap().notes().iter().map(ToString::to_string).collect();
+    assert_eq!(notes.len(), 1);
     assert_eq!((&opened["file"], &opened["notes"]), (&json!("balls1.nff"), &json!(notes)));
     let shot = Shot {
         number: host_sim::shot::Number::Fixed,
