@@ -73,7 +73,7 @@ await sit(
     await drop(page, ['world.png']);
     await fault.getByText('None of these files is a scene').waitFor();
     await form.locator('[name=scene]').selectOption('simple');
-    await rest(page, { scene: 'simple', columns: 320, rows: 240 });
+    await rest(page, { scene: 'simple' });
     demand((await checksum(page)) === before, 'the gallery is another after files of one’s own');
     demand((await form.locator('[name=scene] option[value=""]').count()) === 0, 'a closed file is still listed');
   },

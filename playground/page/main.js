@@ -32,6 +32,8 @@ let scene = null;
 let origin = {};
 /** Whether a picture is being drawn, is to be drawn again, and is of a camera that moves. */
 let [busy, stale, moving] = [false, false, false];
+/** How many scenes are on their way. */
+let coming = 0;
 /** Whether a pixel was pointed at that nothing is told of yet. */
 let asked = false;
 let perPixel = 0;
@@ -43,22 +45,34 @@ function say(place, fault) {
   return {};
 }
 
+/** Says whether what is on the panel is about to be something else. */
+function sayBusy() {
+  stage.canvas.ariaBusy = String(busy || coming > 0);
+}
+
 const isOn = (id) => by(id).getAttribute('aria-pressed') === 'true';
 
 /**
  * Opens a scene by a request, with the files picked for it and what the page's address says; one with a fault leaves
  * that before. Resolves to whether it is open.
  */
-async function open(request, picked = [], { words, place } = controls.NOTHING) {
+async function open(request, picked, address) {
+  coming += 1;
+  sayBusy();
+  const isOpen = await put(request, picked, address);
+  coming -= 1;
+  if (isOpen) await draw();
+  sayBusy();
+  return isOpen;
+}
+
+/** Puts a scene on the page that is not drawn yet; resolves to whether it is there. */
+async function put(request, picked = [], { words, place } = controls.NOTHING) {
   const isWritten = request.ask === 'write';
   const complaint = isWritten ? by('wrong') : by('fault');
-  stage.canvas.ariaBusy = 'true';
   if (!isWritten) editor.forget();
   const told = await ask(request, picked).catch((fault) => say(complaint, fault));
-  if (!told.opened) {
-    stage.canvas.ariaBusy = String(busy);
-    return false;
-  }
+  if (!told.opened) return false;
   [by('fault'), by('wrong')].forEach((complaint) => say(complaint, null));
   // What a writer has not changed of size, depth and dither stays as it was chosen.
   if (!isWritten || !controls.areAlike(scene, told.opened)) controls.take(form, told.opened);
@@ -79,7 +93,6 @@ async function open(request, picked = [], { words, place } = controls.NOTHING) {
     walk.go(place);
     editor.show((await ask({ ask: 'text' }).catch((fault) => say(by('wrong'), fault))).text ?? '');
   }
-  await draw();
   return true;
 }
 
@@ -109,7 +122,7 @@ async function draw() {
   stale = true;
   if (busy) return;
   busy = true;
-  stage.canvas.ariaBusy = 'true';
+  sayBusy();
   while (stale) {
     stale = false;
     const step = moving ? coarseness() : 1;
@@ -125,7 +138,7 @@ async function draw() {
   }
   busy = false;
   controls.keep(form, walk);
-  stage.canvas.ariaBusy = 'false';
+  sayBusy();
   if (stage.at) await account();
 }
 
