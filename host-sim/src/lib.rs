@@ -18,6 +18,7 @@ pub mod dither;
 #[cfg(feature = "desktop")]
 pub mod exhibition;
 pub mod explain;
+pub mod files;
 pub mod growth;
 mod image_error;
 pub mod images;

@@ -83,6 +83,19 @@ pub enum Approach {
     Raster,
 }
 
+impl Approach {
+    /// Lists all.
+    pub const ALL: [Self; 2] = [Self::Trace, Self::Raster];
+
+    /// Answers the name, as commands take it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Trace => "trace",
+            Self::Raster => "raster",
+        }
+    }
+}
+
 /// Is all that decides a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
@@ -117,6 +130,17 @@ pub struct Picture {
     pub size: [u32; 2],
     /// Red, green and blue of each pixel, row by row from the top.
     pub pixels: Vec<[u8; 3]>,
+}
+
+/// Is a picture with what was counted for it.
+#[derive(Clone, Debug)]
+pub struct Counted {
+    /// The picture.
+    pub picture: Picture,
+    /// Rays by kind; none are counted for the reference.
+    pub rays: Option<RayCounts>,
+    /// Depths that the z-buffer has tested, if it drew the picture.
+    pub fragments: Option<u64>,
 }
 
 /// Is a picture with what it took.
@@ -156,11 +180,21 @@ impl Shot {
     /// # Errors
     /// What keeps it from being drawn.
     pub fn take(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
+        let begin = Instant::now();
+        let Counted { picture, rays, fragments } = self.draw(row_done)?;
+        Ok(Taken { picture, rays, fragments, time: begin.elapsed() })
+    }
+
+    /// Traces the picture where there may be no clock.
+    ///
+    /// # Errors
+    /// What keeps it from being drawn.
+    pub fn draw(&self, row_done: impl FnMut(u32) + Send) -> Result<Counted, Refusal> {
         match self.number {
-            Number::F32 => self.take_in::<f32>(row_done),
-            Number::Fixed => self.take_in::<Fixed>(row_done),
-            Number::Exact => self.take_in::<f64>(row_done),
-            Number::Oracle => self.take_reference(row_done),
+            Number::F32 => self.draw_in::<f32>(row_done),
+            Number::Fixed => self.draw_in::<Fixed>(row_done),
+            Number::Exact => self.draw_in::<f64>(row_done),
+            Number::Oracle => self.draw_reference(row_done),
         }
     }
 
@@ -192,44 +226,32 @@ impl Shot {
         view
     }
 
-    /// Draws the picture with the core's tracer in a number, where there may be no clock.
-    ///
-    /// # Errors
-    /// What keeps the core from drawing it.
-    pub fn draw_in<S: HostNumber>(&self, row_done: impl FnMut(u32)) -> Result<Drawn, RenderError> {
+    fn draw_in<S: HostNumber>(&self, row_done: impl FnMut(u32)) -> Result<Counted, Refusal> {
         let view = self.view::<S>();
+        if self.approach == Approach::Raster {
+            let drawn = raster::draw(&view, self.size, self.panel, row_done)?;
+            let picture = Picture { size: self.size, pixels: drawn.pixels };
+            return Ok(Counted { picture, rays: None, fragments: Some(drawn.fragments) });
+        }
+        let drawn = self.trace(&view, row_done)?;
+        let picture = Picture { size: self.size, pixels: drawn.pixels };
+        Ok(Counted { picture, rays: Some(drawn.rays), fragments: None })
+    }
+
+    fn trace<S: HostNumber>(&self, view: &View<S>, row_done: impl FnMut(u32)) -> Result<Drawn, RenderError> {
         match self.quality {
-            Quality::Exact => self.draw(&view, Exact, row_done),
-            Quality::Adaptive => self.draw(&view, Adaptive, row_done),
+            Quality::Exact => self.trace_by(view, Exact, row_done),
+            Quality::Adaptive => self.trace_by(view, Adaptive, row_done),
             Quality::Sampled(Sampling { side, jittered, at_edges }) => match (jittered, at_edges) {
-                (false, false) => self.draw(&view, Uniform(side), row_done),
-                (true, false) => self.draw(&view, Jittered(side), row_done),
-                (false, true) => self.draw(&view, AtEdges(Uniform(side)), row_done),
-                (true, true) => self.draw(&view, AtEdges(Jittered(side)), row_done),
+                (false, false) => self.trace_by(view, Uniform(side), row_done),
+                (true, false) => self.trace_by(view, Jittered(side), row_done),
+                (false, true) => self.trace_by(view, AtEdges(Uniform(side)), row_done),
+                (true, true) => self.trace_by(view, AtEdges(Jittered(side)), row_done),
             },
         }
     }
 
-    fn take_in<S: HostNumber>(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
-        if self.approach == Approach::Raster {
-            return self.rasterize(&self.view::<S>(), row_done);
-        }
-        let begin = Instant::now();
-        let drawn = self.draw_in::<S>(row_done)?;
-        let time = begin.elapsed();
-        let picture = Picture { size: self.size, pixels: drawn.pixels };
-        Ok(Taken { picture, rays: Some(drawn.rays), fragments: None, time })
-    }
-
-    fn rasterize<S: HostNumber>(&self, view: &View<S>, row_done: impl FnMut(u32)) -> Result<Taken, Refusal> {
-        let begin = Instant::now();
-        let drawn = raster::draw(view, self.size, self.panel, row_done)?;
-        let time = begin.elapsed();
-        let picture = Picture { size: self.size, pixels: drawn.pixels };
-        Ok(Taken { picture, rays: None, fragments: Some(drawn.fragments), time })
-    }
-
-    fn draw<S: HostNumber>(
+    fn trace_by<S: HostNumber>(
         &self,
         view: &View<S>,
         quality: impl scanray::Quality,
@@ -238,12 +260,9 @@ impl Shot {
         picture::draw(view, view.settings.with_quality(quality), self.size, self.panel, row_done)
     }
 
-    fn take_reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Taken, Refusal> {
-        let begin = Instant::now();
-        let reference = self.reference(row_done)?;
-        let time = begin.elapsed();
-        let pixels = reference.on_panel(self.panel);
-        Ok(Taken { picture: Picture { size: self.size, pixels }, rays: None, fragments: None, time })
+    fn draw_reference(&self, row_done: impl FnMut(u32) + Send) -> Result<Counted, Refusal> {
+        let pixels = self.reference(row_done)?.on_panel(self.panel);
+        Ok(Counted { picture: Picture { size: self.size, pixels }, rays: None, fragments: None })
     }
 }
 

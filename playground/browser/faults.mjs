@@ -2,6 +2,19 @@
 
 import { checksum, demand, rest, sit } from './sitting.mjs';
 
+/** Is the word at which the core of this sitting stops. */
+const TRAP = 'here be dragons';
+
+/** Gives the page a core that stops at a word. */
+async function setTrap(page) {
+  await page.route('**/core.js', async (route) => {
+    const response = await route.fetch();
+    const stop = `if (request.text?.includes('${TRAP}')) throw new WebAssembly.RuntimeError('unreachable');`;
+    const body = (await response.text()).replace('ask(request) {', (begin) => begin + stop);
+    await route.fulfill({ response, body });
+  });
+}
+
 await sit(
   async (page) => {
     await rest(page, { scene: 'simple' });
@@ -30,6 +43,15 @@ await sit(
       await page.waitForTimeout(50);
     }
     demand(await wrong.isHidden(), 'a right scene is still complained of');
+
+    // A text at which the core stops costs the core that took it, not the one with the scene.
+    const last = await checksum(page);
+    await text.fill(`${good}// ${TRAP}`);
+    await wrong.getByText('The core has stopped at this scene').waitFor();
+    await page.locator('#panel').press('ArrowRight');
+    await rest(page, { walk: '1024 0 0' });
+    demand((await checksum(page)) !== last, 'nobody draws after the core has stopped');
+    demand(await page.locator('#fault').isHidden(), 'the scene before is lost');
   },
-  { hash: '#scene=simple&columns=120&rows=90' },
+  { hash: '#scene=simple&columns=120&rows=90', prepare: setTrap },
 );

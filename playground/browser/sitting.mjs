@@ -15,8 +15,14 @@ const QUIET = [
 /** How long anything may take, in milliseconds. */
 const PATIENCE = 180_000;
 
-/** Opens the page at the address of the command line, does something there, and demands that nothing went wrong. */
-export async function sit(act, { hash = '', viewport = { width: 1280, height: 900 }, ...options } = {}) {
+/**
+ * Opens the page at the address of the command line, does something there, and demands that nothing went wrong.
+ * `prepare` is called with the page before it is loaded.
+ */
+export async function sit(
+  act,
+  { hash = '', viewport = { width: 1280, height: 900 }, prepare, ...options } = {},
+) {
   const [address] = process.argv.slice(2);
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -32,6 +38,7 @@ export async function sit(act, { hash = '', viewport = { width: 1280, height: 90
     page.on('request', (request) => {
       if (!request.url().startsWith(address)) complaints.push(`it asks for ${request.url()}`);
     });
+    await prepare?.(page);
     await page.goto(address + hash);
     await act(page);
   } catch (error) {
@@ -58,6 +65,16 @@ export function rest(page, words) {
     words,
     { timeout: PATIENCE },
   );
+}
+
+/** Answers the red, green and blue of all pixels that the panel shows, in hexadecimal. */
+export function levels(page) {
+  return page.evaluate(() => {
+    const canvas = document.querySelector('canvas');
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const shown = data.filter((_, place) => place % 4 !== 3);
+    return [...shown].map((level) => level.toString(16).padStart(2, '0')).join('');
+  });
 }
 
 /** Answers the FNV-1a checksum of the red, green and blue of all pixels that the panel shows. */

@@ -1,4 +1,4 @@
-/** What a pixel is, in words. */
+/** What a pixel is, and how it comes by its light. */
 
 const KINDS = ['from the eye', 'to lights', 'into mirrors', 'through glass'];
 
@@ -6,11 +6,6 @@ const KINDS = ['from the eye', 'to lights', 'into mirrors', 'through glass'];
 export function rays(counts) {
   const told = counts.map((count, kind) => count && `${count.toLocaleString('en')} ${KINDS[kind]}`);
   return told.filter(Boolean).join(', ');
-}
-
-/** Answers lights in words. */
-function lights(places) {
-  return places.map((place) => `light ${place}`).join(', ') || 'no light directly';
 }
 
 /** Shows a pixel's account in a list of terms. */
@@ -22,13 +17,37 @@ export function tell(list, account) {
     ['Pixel', `${account.at.join(', ')}`],
     ['Shown', swatch, ` ${hex}`],
     ['Bits', code(account.bits)],
-    ['Wanted', account.wanted.map((part) => part.toFixed(4)).join(', ')],
     ['Meets', account.met],
     ...(account.words ? [['In words', code(account.words)]] : []),
-    ...(account.words ? [['Lit by', lights(account.lit)]] : []),
-    ['Rays', rays(account.rays)],
   ];
   list.replaceChildren(...rows.flatMap(([term, ...what]) => [element('dt', term), element('dd', ...what)]));
+}
+
+const HINTS = {
+  none: 'Click a pixel of the panel: its rays are told here, one by one.',
+  traced:
+    'Each ray with what it meets and sends, the numbers beside the reference; ‘off’ is how far they are from it.',
+  raster: 'The z-buffer sends no rays. Let the ray tracer draw the picture, and they are told here.',
+};
+
+/** Takes away what was told of a pixel. */
+export function forget(list, { hint, tree, figures }) {
+  list.replaceChildren(element('dd', 'Click one.'));
+  hint.textContent = HINTS.none;
+  tree.hidden = figures.hidden = true;
+}
+
+/** Shows the rays of a pixel, their tree and their figures, or why there are none. */
+export function explain({ hint, tree, figures }, { rays }) {
+  hint.textContent = rays ? HINTS.traced : HINTS.raster;
+  tree.hidden = figures.hidden = !rays;
+  if (!rays) return;
+  const drawing = new DOMParser().parseFromString(rays.tree, 'image/svg+xml').documentElement;
+  tree.replaceChildren(document.adoptNode(drawing));
+  // Where there is no room for all of it, the ray from the eye is in the middle.
+  const eye = [...drawing.querySelectorAll('text')].find(({ textContent }) => textContent === 'R1');
+  tree.scrollLeft = (eye?.getAttribute('x') ?? 0) - tree.clientWidth / 2;
+  figures.textContent = rays.text;
 }
 
 function element(name, ...content) {

@@ -7,11 +7,14 @@ let count = 0;
 /** Is a request that was not done; `message` says why. */
 export class Fault extends Error {}
 
-/** Hands a request to the core; resolves to what it is told, with the milliseconds it took. */
-export function ask(request) {
+/**
+ * Hands a request to the core, with the files that were picked for it; resolves to what it is told, with the
+ * milliseconds it took.
+ */
+export function ask(request, picked = []) {
   return new Promise((resolve, reject) => {
     waiting.set(++count, { resolve, reject });
-    worker.postMessage({ id: count, request });
+    worker.postMessage({ id: count, request, picked });
   });
 }
 

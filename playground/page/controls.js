@@ -9,11 +9,17 @@ const HINTS = {
   'at-edges-jittered': 'at edges, jittered',
 };
 
+const APPROACHES = { trace: 'ray tracer', raster: 'z-buffer: no shadows, no mirrors' };
+
+/** Is what numbers are called. */
+export const NUMBERS = { f32: 'f32', fixed: 'fixed point', exact: 'f64', oracle: 'the reference' };
+
 /** Fills the form with what there is to choose from. */
 export function fill(form, choices) {
   const options = (select, words, hints = {}) =>
     select.replaceChildren(...words.map((word) => new Option(hints[word] ?? word, word)));
   options(form.scene, choices.scenes);
+  options(form.approach, choices.approaches, APPROACHES);
   options(form.panel, choices.panels);
   options(form.quality, choices.qualities, HINTS);
   options(form.dither, choices.dithers);
@@ -29,6 +35,14 @@ export function take(form, { size, depth, dither }) {
   form.dither.value = dither;
 }
 
+/** Shows the name of a scene that is none of the gallery, or takes it away. */
+export function name(select, name) {
+  select.querySelector('[value=""]')?.remove();
+  if (!name) return;
+  select.prepend(new Option(`${name} (yours)`, ''));
+  select.value = '';
+}
+
 /** Tells whether two scenes say the same of their pictures. */
 export function areAlike(one, other) {
   const said = ({ size, depth, dither }) => JSON.stringify([size, depth, dither]);
@@ -37,10 +51,14 @@ export function areAlike(one, other) {
 
 /** Answers what decides the picture, in the core's words. */
 export function look(form, walk) {
-  form.side.disabled = ['exact', 'adaptive'].includes(form.quality.value);
-  const { number, panel, quality, dither } = form;
+  const { number, approach, panel, quality, dither } = form;
+  // There is one reference for both approaches.
+  const isRaster = approach.value === 'raster' && number.value !== 'oracle';
+  quality.disabled = form.depth.disabled = isRaster;
+  form.side.disabled = isRaster || ['exact', 'adaptive'].includes(quality.value);
   return {
-    ...{ number: number.value, panel: panel.value, quality: quality.value, dither: dither.value },
+    ...{ number: number.value, approach: approach.value, panel: panel.value },
+    ...{ quality: quality.value, dither: dither.value },
     size: [whole(form.columns), whole(form.rows)],
     depth: whole(form.depth),
     side: whole(form.side),
@@ -57,6 +75,8 @@ function whole(field) {
 /** Writes what was chosen into the page's address, so that it can be kept and sent. */
 export function keep(form, walk) {
   const words = new URLSearchParams(new FormData(form));
+  // Files of this computer are not in an address.
+  if (!words.get('scene')) words.delete('scene');
   if (!walk.isHome) words.set('walk', Object.values(walk.place).join(' '));
   history.replaceState(null, '', `#${words}`);
 }

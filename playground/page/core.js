@@ -29,6 +29,14 @@ export class Core {
     return JSON.parse(new TextDecoder().decode(answer));
   }
 
+  /** Hands over a file, for scenes that name it; answers what is told of it. */
+  take(name, bytes) {
+    const room = this.door.scanray_room(bytes.length);
+    new Uint8Array(this.door.memory.buffer, room, bytes.length).set(bytes);
+    this.door.scanray_hand();
+    return this.ask({ ask: 'take', name });
+  }
+
   /** Copies the pixels of the last picture. */
   pixels([columns, rows]) {
     return new Uint8ClampedArray(

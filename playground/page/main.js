@@ -1,10 +1,11 @@
 /** The page: what is chosen becomes a look, a look becomes a picture. */
 
-import { rays, tell } from './account.js';
+import { explain, forget, rays, tell } from './account.js';
 import { ask } from './client.js';
 import * as controls from './controls.js';
 import { download } from './download.js';
 import { Editor } from './editor.js';
+import { drop, Files, pick } from './files.js';
 import { Stage } from './stage.js';
 import { Walk, walkByKeys, walkByPointer } from './walk.js';
 
@@ -14,7 +15,8 @@ const PATIENCE = 60;
 const by = (id) => document.getElementById(id);
 const form = by('controls');
 const stage = new Stage(by('panel'), by('mark'), by('zoom'));
-const editor = new Editor(by('text'), (text) => open({ ask: 'write', text, of: form.scene.value }));
+const editor = new Editor(by('text'), (text) => open({ ask: 'write', text, ...origin }));
+const files = new Files(openFiles);
 const { choices } = await ask({ ask: 'choices' }).catch((fault) => {
   say(by('fault'), fault);
   throw fault;
@@ -23,9 +25,17 @@ const walk = new Walk(choices.walk, () => {
   moving = true;
   draw();
 });
+/** Is where the rays of a pixel are told. */
+const explained = { hint: by('rays-hint'), tree: by('tree'), figures: by('figures') };
 let scene = null;
+/** What the text of the scene is of: the gallery or a model, or the file that it is. */
+let origin = {};
 /** Whether a picture is being drawn, is to be drawn again, and is of a camera that moves. */
 let [busy, stale, moving] = [false, false, false];
+/** How many scenes are on their way. */
+let coming = 0;
+/** Whether a pixel was pointed at that nothing is told of yet. */
+let asked = false;
 let perPixel = 0;
 
 /** Shows a fault where it belongs, or takes it away. */
@@ -35,33 +45,75 @@ function say(place, fault) {
   return {};
 }
 
+/** Says whether what is on the panel is about to be something else. */
+function sayBusy() {
+  stage.canvas.ariaBusy = String(busy || coming > 0);
+}
+
 const isOn = (id) => by(id).getAttribute('aria-pressed') === 'true';
 
-/** Opens a scene by a request, with what the page's address says; one with a fault leaves that before. */
-async function open(request, { words, place } = controls.NOTHING) {
-  const complaint = request.ask === 'write' ? by('wrong') : by('fault');
-  stage.canvas.ariaBusy = 'true';
-  if (request.ask === 'open') editor.forget();
-  const told = await ask(request).catch((fault) => say(complaint, fault));
-  if (!told.opened) {
-    stage.canvas.ariaBusy = String(busy);
-    return;
-  }
+/**
+ * Opens a scene by a request, with the files picked for it and what the page's address says; one with a fault leaves
+ * that before. Resolves to whether it is open.
+ */
+async function open(request, picked, address) {
+  coming += 1;
+  sayBusy();
+  const isOpen = await put(request, picked, address);
+  coming -= 1;
+  if (isOpen) await draw();
+  sayBusy();
+  return isOpen;
+}
+
+/** Puts a scene on the page that is not drawn yet; resolves to whether it is there. */
+async function put(request, picked = [], { words, place } = controls.NOTHING) {
+  const isWritten = request.ask === 'write';
+  const complaint = isWritten ? by('wrong') : by('fault');
+  if (!isWritten) editor.forget();
+  const told = await ask(request, picked).catch((fault) => say(complaint, fault));
+  if (!told.opened) return false;
   [by('fault'), by('wrong')].forEach((complaint) => say(complaint, null));
   // What a writer has not changed of size, depth and dither stays as it was chosen.
-  if (request.ask === 'open' || !controls.areAlike(scene, told.opened)) controls.take(form, told.opened);
+  if (!isWritten || !controls.areAlike(scene, told.opened)) controls.take(form, told.opened);
   scene = told.opened;
   walk.reach = scene.reach;
   by('about').textContent = scene.about;
+  by('notes').replaceChildren(...scene.notes.map((note) => element('li', note)));
   stage.canvas.setAttribute('aria-label', `${scene.name} on the panel`);
-  if (request.ask === 'open') {
+  if (isWritten) {
+    walk.go(walk.place);
+  } else {
+    stage.point(null);
+    asked = false;
+    forget(by('account'), explained);
+    origin = originOf(request, scene);
+    controls.name(form.scene, request.ask === 'read' && request.name);
     controls.restore(form, words);
     walk.go(place);
     editor.show((await ask({ ask: 'text' }).catch((fault) => say(by('wrong'), fault))).text ?? '');
-  } else {
-    walk.go(walk.place);
   }
-  await draw();
+  return true;
+}
+
+/** Answers what the text of a scene is of that was opened by a request. */
+function originOf(request, { file }) {
+  return file === request.name ? { file } : { of: request.name };
+}
+
+/** Opens the scene among files of one's own. */
+async function openFiles(name, picked) {
+  const bytes = picked.reduce((sum, { size }) => sum + size, 0);
+  const wrong =
+    (!name && 'None of these files is a scene: the name of one ends in .ron, .nff or .obj.') ||
+    (bytes > choices.most_bytes && `These files have more than ${choices.most_bytes} bytes together.`);
+  if (wrong) {
+    say(by('fault'), new Error(wrong));
+    return false;
+  }
+  const isOpen = await open({ ask: 'read', name }, picked);
+  if (!isOpen) by('fault').append('\n\nIf a file is missing, pick or drop it now.');
+  return isOpen;
 }
 
 /** Draws until the picture is that of what is chosen; while it moves, as coarsely as it must be to follow. */
@@ -70,7 +122,7 @@ async function draw() {
   stale = true;
   if (busy) return;
   busy = true;
-  stage.canvas.ariaBusy = 'true';
+  sayBusy();
   while (stale) {
     stale = false;
     const step = moving ? coarseness() : 1;
@@ -78,6 +130,7 @@ async function draw() {
     await frame(step);
     // A picture that has come to rest is drawn whole.
     stale ||= step > 1;
+    if (asked && step === 1) await account();
     if (isOn('spin')) {
       await new Promise(requestAnimationFrame);
       walk.by(walk.parts / 4, 0);
@@ -85,8 +138,8 @@ async function draw() {
   }
   busy = false;
   controls.keep(form, walk);
-  stage.canvas.ariaBusy = 'false';
-  if (stage.at) await account(stage.at);
+  sayBusy();
+  if (stage.at) await account();
 }
 
 /** Answers how many pixels along a side become one, that pictures follow the hand. */
@@ -102,15 +155,25 @@ async function frame(step) {
   try {
     const { frame, pixels, time } = await ask({ ask: 'frame', look: { ...look, size } });
     perPixel = time / (size[0] * size[1]);
-    const shown = isOn('heat') ? await heat({ ...look, size }) : pixels;
-    stage.show(shown, size, look.size);
-    const total = frame.rays.reduce((sum, count) => sum + count);
-    const took = `${size.join(' × ')} in ${look.number}: ${time.toFixed(1)} ms`;
-    by('said').textContent = `${took}; ${total.toLocaleString('en')} rays: ${rays(frame.rays)}`;
+    by('heat').disabled = !frame.rays;
+    by('source').disabled = !choices.of_firmware.includes(look.number);
+    const isHot = isOn('heat') && frame.rays;
+    by('legend').hidden = !isHot;
+    stage.show(isHot ? await heat({ ...look, size }) : pixels, size, look.size);
+    const took = `${size.join(' × ')} in ${controls.NUMBERS[look.number]}: ${time.toFixed(1)} ms`;
+    by('said').textContent = [took, work(frame)].filter(Boolean).join('; ');
     say(by('fault'), null);
   } catch (fault) {
     say(by('fault'), fault);
   }
+}
+
+/** Answers what was counted for a picture, in words. */
+function work(frame) {
+  if (frame.fragments !== null) return `${frame.fragments.toLocaleString('en')} depths tested`;
+  if (!frame.rays) return '';
+  const total = frame.rays.reduce((sum, count) => sum + count);
+  return `${total.toLocaleString('en')} rays: ${rays(frame.rays)}`;
 }
 
 /** Answers the heat map's pixels and shows what its colours mean. */
@@ -122,12 +185,24 @@ async function heat(look) {
   return pixels;
 }
 
-/** Tells what a pixel is. */
-async function account(at) {
+/** Points at a pixel and tells of it: while pictures are drawn, as soon as a whole one is there. */
+async function point(at) {
   stage.point(at);
-  const told = await ask({ ask: 'pixel', at }).catch(() => null);
-  if (told) tell(by('account'), told.pixel);
-  else stage.point(null);
+  asked = true;
+  if (!busy) await account();
+}
+
+/** Tells what the pixel is that was pointed at. */
+async function account() {
+  asked = false;
+  const told = await ask({ ask: 'pixel', at: stage.at }).catch(() => null);
+  if (!told) return stage.point(null);
+  tell(by('account'), told.pixel);
+  explain(explained, told.pixel);
+}
+
+function element(name, text) {
+  return Object.assign(document.createElement(name), { textContent: text });
 }
 
 /** Makes a button one that is on or off. */
@@ -146,7 +221,7 @@ function pointByKeys(canvas) {
     if (!step) return;
     event.preventDefault();
     const from = stage.at ?? stage.size.map((side) => side >> 1);
-    account(from.map((place, axis) => Math.min(Math.max(place + step[axis], 0), stage.size[axis] - 1)));
+    point(from.map((place, axis) => Math.min(Math.max(place + step[axis], 0), stage.size[axis] - 1)));
   });
 }
 
@@ -163,24 +238,22 @@ controls.restore(form, { scene: 'three-spheres', ...address.words });
 form.addEventListener('submit', (event) => event.preventDefault());
 form.addEventListener('change', ({ target }) => {
   if (target !== form.scene) return draw();
-  stage.point(null);
   open({ ask: 'open', name: form.scene.value });
 });
 walkByKeys(stage.canvas, walk);
-walkByPointer(stage.canvas, walk, (event) => account(stage.pixelAt(event)));
+walkByPointer(stage.canvas, walk, (event) => point(stage.pixelAt(event)));
 pointByKeys(stage.canvas);
 by('home').addEventListener('click', () => walk.home());
 toggle('spin', draw);
-toggle('heat', () => {
-  by('legend').hidden = !isOn('heat');
-  draw();
-});
+toggle('heat', draw);
+pick(by('pick'), by('files'), files);
+drop(document.body, files);
 by('png').addEventListener('click', async () =>
   download(`${scene.name}.png`, await stage.png(), 'image/png'),
 );
 by('source').addEventListener('click', () =>
   take({ ask: 'source', number: form.number.value }, 'scene.rs', 'text/plain'),
 );
-by('ron').addEventListener('click', () => download(`${scene.name}.ron`, by('text').value, 'text/plain'));
+by('ron').addEventListener('click', () => download(scene.file, by('text').value, 'text/plain'));
 
-await open({ ask: 'open', name: form.scene.value }, address);
+await open({ ask: 'open', name: form.scene.value }, [], address);

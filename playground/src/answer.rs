@@ -20,6 +20,8 @@ pub enum Answer {
     Heat(Heat),
     /// What a pixel is.
     Pixel(Account),
+    /// How many bytes a file has that was taken.
+    Taken(usize),
     /// What keeps the request from being done.
     Fault(String),
 }
@@ -29,8 +31,12 @@ pub enum Answer {
 pub struct Choices {
     /// Names of the gallery's scenes.
     pub scenes: Vec<&'static str>,
-    /// Numbers.
+    /// Numbers, and the reference.
     pub numbers: Vec<&'static str>,
+    /// Those of them that firmware computes in.
+    pub of_firmware: Vec<&'static str>,
+    /// Who may draw.
+    pub approaches: Vec<&'static str>,
     /// Colour formats of displays.
     pub panels: Vec<&'static str>,
     /// Ways to trace a picture.
@@ -39,6 +45,8 @@ pub struct Choices {
     pub dithers: Vec<&'static str>,
     /// The most pixels along a side.
     pub most_pixels: u32,
+    /// The most bytes of files together.
+    pub most_bytes: u64,
     /// The most mirrors.
     pub most_depth: usize,
     /// The most rays along a side of a pixel.
@@ -56,6 +64,10 @@ pub struct Opened {
     pub name: &'static str,
     /// What it shows.
     pub about: &'static str,
+    /// The name of the file that its text is.
+    pub file: String,
+    /// What of its file is left out or drawn otherwise.
+    pub notes: Vec<String>,
     /// Columns and rows of its usual picture.
     pub size: [u32; 2],
     /// How many mirrors its light may have met.
@@ -71,8 +83,10 @@ pub struct Opened {
 pub struct Frame {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// Rays from the eye, to lights, into mirrors, through glass.
-    pub rays: [u64; 4],
+    /// Rays from the eye, to lights, into mirrors, through glass; none are counted for the reference.
+    pub rays: Option<[u64; 4]>,
+    /// Depths that the z-buffer has tested, if it drew the picture.
+    pub fragments: Option<u64>,
 }
 
 /// Is the rays of each pixel.

@@ -1,7 +1,8 @@
 //! The door: the functions that a page calls.
 //!
 //! A page asks for [room](scanray_room), writes a request there as JSON and [asks](scanray_ask); the answer lies at
-//! [`scanray_answer`], the pixels of a picture at [`scanray_pixels`]. Addresses hold until the next call.
+//! [`scanray_answer`], the pixels of a picture at [`scanray_pixels`]. What is written into the room of a file is
+//! [handed over](scanray_hand) before the request to take it. Addresses hold until the next call.
 // Names that a page can call by are what Rust counts as unsafe here: there is no other unsafe code.
 #![allow(unsafe_code)]
 
@@ -32,6 +33,12 @@ pub extern "C" fn scanray_room(bytes: usize) -> *mut u8 {
         door.request = vec![0; bytes];
         door.request.as_mut_ptr()
     })
+}
+
+/// Hands over what was written into the room: a file, which the next request takes.
+#[unsafe(no_mangle)]
+pub extern "C" fn scanray_hand() {
+    at_door(|door| door.desk.hand(std::mem::take(&mut door.request)));
 }
 
 /// Does the request and answers how many bytes the answer has.

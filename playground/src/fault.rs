@@ -1,7 +1,10 @@
 //! What keeps a request from being done.
 
 use host_sim::bake::file::Failure;
+use host_sim::files::Handed;
+use host_sim::obj;
 use host_sim::scene_file::{Complaint, Unsayable};
+use host_sim::shot::Refusal;
 use scanray::RenderError;
 use std::fmt;
 
@@ -25,8 +28,18 @@ pub enum Fault {
     NoSuchPixel([u32; 2]),
     /// The text is no scene that the core draws: the line is shown.
     Text(Box<Complaint>),
-    /// The core refuses the picture.
-    Refused(RenderError),
+    /// The core or the reference refuses the picture.
+    Refused(Refusal),
+    /// Rays are not counted by who draws the picture.
+    Uncounted,
+    /// No file of this name was handed over.
+    NoFile(String),
+    /// There is no room for a file of this name.
+    TooMuch(String),
+    /// A file of this name is no scene.
+    NotAScene(String),
+    /// The model or a file that it names is broken.
+    Model(obj::Mistake),
     /// The scene cannot be told in words.
     Unsayable(Unsayable),
     /// The text of a scene cannot be made.
@@ -47,6 +60,15 @@ impl fmt::Display for Fault {
             Self::NoSuchPixel([x, y]) => write!(f, "the picture has no pixel {x}, {y}"),
             Self::Text(complaint) => complaint.fmt(f),
             Self::Refused(error) => write!(f, "the picture cannot be drawn: {error}"),
+            Self::Uncounted => f.write_str("rays are counted where the core traces them"),
+            Self::NoFile(name) => write!(f, "the file {name} was not handed over"),
+            Self::TooMuch(name) => {
+                write!(f, "with {name} the files have more than {} bytes together", Handed::MOST_BYTES)
+            }
+            Self::NotAScene(name) => {
+                write!(f, "{name} is no scene: the name of one ends in .ron, .nff or .obj")
+            }
+            Self::Model(mistake) => mistake.fmt(f),
             Self::Unsayable(unsayable) => unsayable.fmt(f),
             Self::Words(why) => write!(f, "the scene cannot be written: {why}"),
             Self::Source(failure) => write!(f, "the scene cannot be baked: {failure}"),
@@ -64,7 +86,19 @@ impl From<Box<Complaint>> for Fault {
 
 impl From<RenderError> for Fault {
     fn from(error: RenderError) -> Self {
-        Self::Refused(error)
+        Self::Refused(error.into())
+    }
+}
+
+impl From<Refusal> for Fault {
+    fn from(refusal: Refusal) -> Self {
+        Self::Refused(refusal)
+    }
+}
+
+impl From<obj::Mistake> for Fault {
+    fn from(mistake: obj::Mistake) -> Self {
+        Self::Model(mistake)
     }
 }
 

@@ -1,9 +1,10 @@
 //! Heat: how many rays each pixel takes, in colours.
 
+use crate::fault::Fault;
 use embedded_graphics_core::geometry::Size;
 use host_sim::picture::MAX_DEPTH;
 use host_sim::scenes::HostNumber;
-use host_sim::shot::{Number, Shot};
+use host_sim::shot::{Approach, Number, Shot};
 use scanray::trace::RayCounts;
 use scanray::{Fixed, RenderError, Renderer, Workspace};
 
@@ -14,12 +15,15 @@ pub const COLORS: [[u8; 3]; 5] = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [9
 /// Counts the rays that the one through the middle of each pixel leads to, itself among them, row by row.
 ///
 /// # Errors
-/// What keeps the core from drawing the picture.
-pub fn count(shot: &Shot) -> Result<Vec<u64>, RenderError> {
-    match shot.number {
-        Number::Fixed => count_in::<Fixed>(shot),
-        _ => count_in::<f32>(shot),
-    }
+/// What keeps the core from drawing the picture, or that it is not the core's tracer that draws it.
+pub fn count(shot: &Shot) -> Result<Vec<u64>, Fault> {
+    let counted = match (shot.approach, shot.number) {
+        (Approach::Raster, _) | (_, Number::Oracle) => return Err(Fault::Uncounted),
+        (_, Number::F32) => count_in::<f32>(shot),
+        (_, Number::Fixed) => count_in::<Fixed>(shot),
+        (_, Number::Exact) => count_in::<f64>(shot),
+    };
+    Ok(counted?)
 }
 
 fn count_in<S: HostNumber>(shot: &Shot) -> Result<Vec<u64>, RenderError> {
@@ -80,7 +84,7 @@ mod tests {
     fn rays_counted_by_the_pixel_are_those_of_the_picture() {
         for name in ["three-spheres", "c-ray", "glass", "teapot"] {
             let shot = Shot { size: [48, 36], ..Shot::new(scenes::find(name).unwrap()) };
-            for number in [Number::F32, Number::Fixed] {
+            for number in [Number::F32, Number::Fixed, Number::Exact] {
                 let shot = Shot { number, ..shot };
                 let whole = shot.take(|_| ()).unwrap().rays.unwrap().total();
                 assert_eq!(count(&shot).unwrap().iter().sum::<u64>(), whole, "{name}");

@@ -5,7 +5,7 @@
 //!
 //! - [`door`]: the functions that a page calls, the only ones with a C interface.
 //! - [`request`], [`answer`], [`fault`]: what crosses it. [`look`]: what decides a picture, with its words.
-//! - [`desk`]: does what is asked of the scene on it.
+//! - [`desk`]: does what is asked of the scene on it; [`opening`]: puts one there.
 //! - [`walk`]: where a scene is seen from, in whole steps.
 //! - [`heat`], [`account`], [`word`]: what is told of a picture, of a pixel, of its bits.
 #![deny(unsafe_code)]
@@ -17,6 +17,7 @@ pub mod door;
 pub mod fault;
 pub mod heat;
 pub mod look;
+pub mod opening;
 pub mod request;
 pub mod walk;
 pub mod word;

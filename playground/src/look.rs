@@ -6,12 +6,9 @@ use host_sim::dither::Method;
 use host_sim::panel::Panel;
 use host_sim::picture::MAX_DEPTH;
 use host_sim::scenes::Entry;
-use host_sim::shot::{Number, Quality, Sampling, Shot};
+use host_sim::shot::{Approach, Number, Quality, Sampling, Shot};
 use scanray::Uniform;
 use serde::Deserialize;
-
-/// Lists the numbers that devices compute in.
-pub const NUMBERS: [Number; 2] = [Number::F32, Number::Fixed];
 
 /// Lists the words for how many rays a picture takes.
 pub const QUALITIES: [&str; 6] =
@@ -24,8 +21,10 @@ pub const MOST_PIXELS: u32 = 1024;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Look {
-    /// The number it is traced in.
+    /// The number it is traced in, or the reference.
     pub number: String,
+    /// Who draws it: one of [`Approach::ALL`].
+    pub approach: String,
     /// The colour format of the display.
     pub panel: String,
     /// Columns and rows.
@@ -62,7 +61,8 @@ impl Look {
             return Err(Fault::TooMany("mirrors", MAX_DEPTH));
         }
         let mut shot = Shot::new(scene);
-        shot.number = find(&NUMBERS, Number::name, "number", &self.number)?;
+        shot.number = find(&Number::ALL, Number::name, "number", &self.number)?;
+        shot.approach = find(&Approach::ALL, Approach::name, "approach", &self.approach)?;
         shot.panel = find(&Panel::ALL, Panel::name, "panel", &self.panel)?;
         shot.dither = find(&Method::ALL, Method::name, "dither", &self.dither)?.dither();
         shot.quality = self.quality()?;

@@ -14,11 +14,25 @@ pub enum Request {
         /// Its name.
         name: String,
     },
-    /// To open a scene that is told in text, in the format of `docs/scene-format.md`.
+    /// To take the file that lies at the door, for scenes that name it.
+    Take {
+        /// Its name.
+        name: String,
+    },
+    /// To open a scene file or a model that was taken.
+    Read {
+        /// Its name.
+        name: String,
+    },
+    /// To open a scene that is told in text, in the format of `docs/scene-format.md` or, by the file's name, in NFF.
     Write {
         /// The text.
         text: String,
-        /// A scene of the gallery whose images, meshes and voxels the text may name.
+        /// The file that it is the text of, beside those that were taken.
+        #[serde(default)]
+        file: Option<String>,
+        /// A scene of the gallery or a model that was taken: the text may name its images, meshes and voxels.
+        #[serde(default)]
         of: Option<String>,
     },
     /// The text of the open scene.

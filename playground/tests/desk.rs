@@ -1,7 +1,7 @@
 //! What the desk does of what a page asks.
 
 use host_sim::scenes;
-use host_sim::shot::{Number, Shot};
+use host_sim::shot::{Approach, Number, Shot};
 use scanray_playground::answer::Answer;
 use scanray_playground::desk::Desk;
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 const SIZE: [u32; 2] = [24, 18];
 
 fn look(number: &str) -> Value {
-    json!({ "number": number, "panel": "rgb565", "size": SIZE, "depth": 2, "quality": "exact", "side": 1,
+    json!({ "number": number, "approach": "trace", "panel": "rgb565", "size": SIZE, "depth": 2, "quality": "exact", "side": 1,
         "dither": "ordered" })
 }
 
@@ -40,7 +40,7 @@ fn frame(desk: &mut Desk, look: Value) -> Vec<u8> {
 fn every_scene_is_drawn_as_the_host_draws_it() {
     for scene in scenes::all() {
         let mut desk = opened(scene.name());
-        for number in [Number::F32, Number::Fixed] {
+        for number in Number::ALL {
             let dither = scanray::Dither::Ordered;
             let shot = Shot { number, size: SIZE, depth: 2, dither, ..Shot::new(scene) };
             let host = shot.take(|_| ()).unwrap().picture.pixels;
@@ -48,6 +48,47 @@ fn every_scene_is_drawn_as_the_host_draws_it() {
             assert!(frame(&mut desk, look(number.name())) == host, "{} {}", scene.name(), number.name());
         }
     }
+}
+
+#[test]
+fn what_the_z_buffer_draws_is_the_hosts_and_what_it_does_not_is_refused_as_there() {
+    let mut drawn = 0;
+    for scene in scenes::all() {
+        let mut desk = opened(scene.name());
+        let dither = scanray::Dither::Ordered;
+        let shot = Shot { size: SIZE, dither, approach: Approach::Raster, ..Shot::new(scene) };
+        let mut look = look("f32");
+        look["approach"] = json!("raster");
+        match shot.take(|_| ()) {
+            Ok(taken) => {
+                let told = ask(&mut desk, json!({ "ask": "frame", "look": look }));
+                assert_eq!(told["frame"]["fragments"].as_u64(), taken.fragments);
+                let host = taken.picture.pixels.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]);
+                assert!(desk.pixels().iter().copied().eq(host), "{}", scene.name());
+                drawn += 1;
+            }
+            Err(refusal) => {
+                let said = fault(&mut desk, json!({ "ask": "frame", "look": look }));
+                assert_eq!(said, format!("the picture cannot be drawn: {refusal}"));
+            }
+        }
+    }
+    assert!(drawn > 5, "{drawn}");
+}
+
+#[test]
+fn rays_are_counted_of_the_cores_tracer_alone() {
+    let mut desk = opened("simple");
+    let mut raster = look("f32");
+    raster["approach"] = json!("raster");
+    for look in [look("oracle"), raster] {
+        let told = ask(&mut desk, json!({ "ask": "frame", "look": look }));
+        assert!(told["frame"]["rays"].is_null(), "{told}");
+        let said = fault(&mut desk, json!({ "ask": "heat", "look": look }));
+        assert_eq!(said, "rays are counted where the core traces them");
+    }
+    let told = ask(&mut desk, json!({ "ask": "frame", "look": look("exact") }));
+    assert!(told["frame"]["rays"][0].as_u64() > Some(0), "{told}");
 }
 
 #[test]
@@ -104,6 +145,7 @@ fn what_there_is_not_is_refused_in_words() {
     };
     let wrong = [
         ("number", json!("f16"), "there is no number `f16`"),
+        ("approach", json!("radiosity"), "there is no approach `radiosity`"),
         ("panel", json!("rgb333"), "there is no panel `rgb333`"),
         ("dither", json!("loud"), "there is no dither `loud`"),
         ("quality", json!("best"), "there is no quality `best`"),

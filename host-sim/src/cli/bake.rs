@@ -4,6 +4,7 @@ use super::{Error, report};
 use crate::bake::file::{self, Failure, File};
 use crate::bake::source::{Literal, Planted};
 use crate::bake::{Accel, meshes, objects};
+use crate::files::Disk;
 use crate::model::{Options, Plan};
 use crate::obj;
 use crate::picture::MAX_DEPTH;
@@ -37,7 +38,7 @@ pub(super) fn run(args: &BakeArgs, out: &mut impl Write) -> Result<(), Error> {
 fn bake<S: Literal>(args: &BakeArgs) -> Result<File, Error> {
     let path = Path::new(&args.scene);
     let (planted, facts) = if obj::is_named(path) {
-        let plan = obj::plan(path, args.options())?;
+        let plan = obj::plan(&Disk, path, args.options())?;
         let planted = plan.plant::<S>();
         check(&planted.view).map_err(|error| Error::Render(Refusal::Core(error)))?;
         (planted, facts(&plan))

@@ -1,6 +1,7 @@
 use super::Error;
 use super::rays::Rays;
 use crate::dither::Method;
+use crate::files::Disk;
 use crate::model::{Options, entry};
 use crate::nff;
 use crate::obj;
@@ -72,7 +73,9 @@ impl Look {
 pub(super) fn scene(name: &str) -> Result<scenes::Entry, Error> {
     match scenes::find(name) {
         Some(entry) => Ok(entry),
-        None if obj::is_named(Path::new(name)) => Ok(entry(&obj::plan(Path::new(name), Options::default())?)),
+        None if obj::is_named(Path::new(name)) => {
+            Ok(entry(&obj::plan(&Disk, Path::new(name), Options::default())?))
+        }
         None if is_file(name) => {
             let entry = scenes::read(Path::new(name))?;
             for note in entry.file.map_or(&[][..], SceneFile::notes) {

@@ -31,6 +31,5 @@ pub(super) fn run(args: &ServeArgs, out: &mut impl Write) -> Result<(), Error> {
     report::line(out, "playground", server.address())?;
     report::line(out, "stop", "Ctrl-C")?;
     out.flush()?;
-    server.run(&site);
-    Ok(())
+    match server.run(site)? {}
 }

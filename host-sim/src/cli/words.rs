@@ -11,15 +11,14 @@ use clap::builder::PossibleValue;
 
 impl ValueEnum for Approach {
     fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Trace, Self::Raster]
+        &Self::ALL
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(match self {
-            Self::Trace => PossibleValue::new("trace").help("Rays ask for each pixel what it sees"),
-            Self::Raster => PossibleValue::new("raster")
-                .help("A z-buffer asks for each object where it is seen; no shadows, no mirrors"),
-        })
+        Some(PossibleValue::new(self.name()).help(match self {
+            Self::Trace => "Rays ask for each pixel what it sees",
+            Self::Raster => "A z-buffer asks for each object where it is seen; no shadows, no mirrors",
+        }))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::survey::{LARGEST, number};
 use super::wrong::{Mistake, Reason};
+use crate::files::Files;
 use crate::model::Paint;
 use crate::scene_file::png_file::{self, MAX_TEXELS};
 use scanray::{Bitmap, Model};
@@ -30,11 +31,11 @@ impl Library {
         self.places.get(name).copied()
     }
 
-    /// Takes the materials of a file.
+    /// Takes the materials of a file, and the images that it names.
     ///
     /// # Errors
     /// The first mistake in it, or in an image that it names.
-    pub fn read(&mut self, path: &Path, text: &str) -> Result<(), Mistake> {
+    pub fn read(&mut self, files: &dyn Files, path: &Path, text: &str) -> Result<(), Mistake> {
         let mut checked = String::new();
         let mut begun = self.materials.len();
         for (index, line) in text.lines().enumerate() {
@@ -50,7 +51,7 @@ impl Library {
         let folder = path.parent().unwrap_or(Path::new(""));
         for material in materials {
             let image = match &material.diffuse_texture {
-                Some(name) => Some(self.image(&folder.join(name.replace('\\', "/")))?),
+                Some(name) => Some(self.image(files, &folder.join(name.replace('\\', "/")))?),
                 None => None,
             };
             self.paints.push(paint(&material, image));
@@ -61,13 +62,13 @@ impl Library {
     }
 
     /// Reads an image, but each file only once.
-    fn image(&mut self, path: &Path) -> Result<Bitmap, Mistake> {
-        let place = path.canonicalize().map_err(|error| Reason::Io(error).of(path))?;
+    fn image(&mut self, files: &dyn Files, path: &Path) -> Result<Bitmap, Mistake> {
+        let place = files.place(path).map_err(|error| Reason::Io(error).of(path))?;
         if let Some(known) = self.images.get(&place) {
             return Ok(*known);
         }
         let texels = self.images.values().map(Bitmap::size).map(|[columns, rows]| columns * rows);
-        let image = png_file::read(path, MAX_TEXELS - texels.sum::<u32>());
+        let image = png_file::read(files, path, MAX_TEXELS - texels.sum::<u32>());
         let image = image.map_err(|why| Reason::Image(why).of(path))?;
         self.images.insert(place, image);
         Ok(image)

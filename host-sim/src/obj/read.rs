@@ -3,9 +3,9 @@
 use super::library::{GRAY, Library};
 use super::survey::{Run, Survey, survey};
 use super::wrong::{Mistake, Reason};
+use crate::files::{Disk, Files, Open};
 use crate::model::{Corner, Model, Options, Paint, Part, Plan};
 use std::collections::HashMap;
-use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 use tobj::LoadOptions;
@@ -17,11 +17,11 @@ pub const MAX_BYTES: u64 = 1 << 26;
 ///
 /// # Errors
 /// The first mistake in any of them.
-pub fn read(path: &Path) -> Result<Model, Mistake> {
-    parse(path, &text(path)?, &mut |library| text(library))
+pub fn read(files: &dyn Files, path: &Path) -> Result<Model, Mistake> {
+    parse_beside(path, &text(files, path)?, &mut |library| text(files, library), files)
 }
 
-/// Reads the text of a file, and of the libraries that it names.
+/// Reads the text of a file, and of the libraries that it names; their images are on the disk.
 ///
 /// # Errors
 /// The first mistake in any of them.
@@ -29,6 +29,15 @@ pub fn parse(
     path: &Path,
     text: &str,
     library_text: &mut dyn FnMut(&Path) -> Result<String, Mistake>,
+) -> Result<Model, Mistake> {
+    parse_beside(path, text, library_text, &Disk)
+}
+
+fn parse_beside(
+    path: &Path,
+    text: &str,
+    library_text: &mut dyn FnMut(&Path) -> Result<String, Mistake>,
+    files: &dyn Files,
 ) -> Result<Model, Mistake> {
     let survey = survey(path, text)?;
     let mut library = Library::default();
@@ -45,7 +54,7 @@ pub fn parse(
         let left = room.checked_sub(text.len() as u64);
         let too_many = Reason::TooMany { what: "bytes in its libraries", most: MAX_BYTES as usize };
         room = left.ok_or_else(|| too_many.at(path, *line))?;
-        library.read(&library_path, &text)?;
+        library.read(files, &library_path, &text)?;
     }
     for Run { material, line, .. } in &survey.runs {
         if let Some(name) = material.as_ref().filter(|name| library.find(name).is_none()) {
@@ -72,13 +81,11 @@ pub fn surfaces(path: &Path, text: &str) -> Result<Vec<[Corner; 3]>, Mistake> {
 }
 
 /// Reads a file as text; letters that are not UTF-8 stand in names only, and become others.
-fn text(path: &Path) -> Result<String, Mistake> {
+fn text(files: &dyn Files, path: &Path) -> Result<String, Mistake> {
     let mut bytes = vec![];
-    // Whoever opens a pipe waits for a writer: look first.
-    if !fs::metadata(path).map_err(|error| Reason::Io(error).of(path))?.is_file() {
-        return Err(Reason::NotAFile.of(path));
-    }
-    let read = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes));
+    let open = files.open(path).map_err(|error| Reason::Io(error).of(path))?;
+    let Open { content, .. } = open.ok_or_else(|| Reason::NotAFile.of(path))?;
+    let read = content.take(MAX_BYTES + 1).read_to_end(&mut bytes);
     read.map_err(|error| Reason::Io(error).of(path))?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err(Reason::TooLarge(MAX_BYTES).of(path));
@@ -143,6 +150,6 @@ fn model(name: String, parts: Vec<Part>, library: Library) -> Model {
 ///
 /// # Errors
 /// The first mistake in it, or that it has no triangle with an area.
-pub fn plan(path: &Path, options: Options) -> Result<Plan, Mistake> {
-    Plan::new(read(path)?, options).ok_or(Reason::Nothing.of(path))
+pub fn plan(files: &dyn Files, path: &Path, options: Options) -> Result<Plan, Mistake> {
+    Plan::new(read(files, path)?, options).ok_or(Reason::Nothing.of(path))
 }

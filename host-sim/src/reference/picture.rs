@@ -4,9 +4,11 @@ use super::description::{Description, Output};
 use super::display::Display;
 use super::trail::{Trail, silhouettes};
 use super::vector::Vector;
+use std::iter;
 use std::num::NonZero;
-use std::sync::mpsc;
-use std::thread;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{self, Sender};
+use std::thread::{self, Builder};
 
 /// Is a picture as it ought to be, row by row from the top.
 #[derive(Clone, Debug)]
@@ -38,13 +40,18 @@ pub fn trace(description: &Description, size: [u32; 2], mut row_done: impl FnMut
     let mut rows: Vec<Row> = vec![vec![]; height as usize];
     let workers = thread::available_parallelism().map_or(1, NonZero::get);
     let (sender, finished) = mpsc::channel();
+    let next = AtomicU32::new(0);
+    // The receiver lives as long as the scope: sending cannot fail.
+    let work = |sender: Sender<(u32, Row)>| {
+        let rows = iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed)).take_while(|y| *y < height);
+        rows.map(|y| (y, row(y))).try_for_each(|row| sender.send(row))
+    };
     thread::scope(|scope| {
-        for worker in 0..workers {
-            let (sender, row) = (sender.clone(), &row);
-            // The receiver lives as long as the scope: sending cannot fail.
-            let work =
-                move || (worker as u32..height).step_by(workers).try_for_each(|y| sender.send((y, row(y))));
-            scope.spawn(work);
+        let start = |sender| Builder::new().spawn_scoped(scope, move || work(sender)).is_ok();
+        let started = (0..workers).filter(|_| start(sender.clone())).count();
+        if started == 0 {
+            // A browser hands out no threads.
+            let _ = work(sender.clone());
         }
         drop(sender);
         for (y, pixels) in finished {

@@ -9,6 +9,7 @@ use super::mistake::Reason;
 use super::place::Part;
 use super::sky::Sky;
 use super::{mesh_file, png_file, voxel_file};
+use crate::files::Files;
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -47,19 +48,30 @@ pub(super) struct Missed {
     pub reason: Reason,
 }
 
+/// Is where the files of a description are.
+#[derive(Clone, Copy)]
+pub(super) struct Shelf<'a> {
+    /// The folder of the scene file.
+    pub folder: &'a Path,
+    /// What it is a folder of.
+    pub files: &'a dyn Files,
+    /// Files whose content is already known.
+    pub known: &'a [Beside],
+}
+
 /// Reads the files that a description names, each once, and none of those that are already known.
 ///
 /// # Errors
 /// The first that cannot be read.
-pub(super) fn read(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
-    read_images(description, folder, known)?;
-    read_meshes(description, folder, known)?;
-    read_voxels(description, folder, known)
+pub(super) fn read(description: &mut Description, shelf: Shelf<'_>) -> Result<(), Missed> {
+    read_images(description, shelf)?;
+    read_meshes(description, shelf)?;
+    read_voxels(description, shelf)
 }
 
-fn read_images(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
+fn read_images(description: &mut Description, shelf: Shelf<'_>) -> Result<(), Missed> {
     let mut read = HashMap::new();
-    for beside in known {
+    for beside in shelf.known {
         if let Beside::Image(file) = beside {
             read.insert(file.name.clone(), file.bitmap);
         }
@@ -70,10 +82,10 @@ fn read_images(description: &mut Description, folder: &Path, known: &[Beside]) -
             file.bitmap = *bitmap;
             continue;
         }
-        let path = folder.join(&file.name);
+        let path = shelf.folder.join(&file.name);
         let missed =
             |why| Missed { part, name: file.name.clone(), reason: Reason::Image { path: path.clone(), why } };
-        let bitmap = png_file::read(&path, room).map_err(missed)?;
+        let bitmap = png_file::read(shelf.files, &path, room).map_err(missed)?;
         let [columns, rows] = bitmap.size();
         room -= columns * rows;
         read.insert(file.name.clone(), bitmap);
@@ -82,9 +94,9 @@ fn read_images(description: &mut Description, folder: &Path, known: &[Beside]) -
     Ok(())
 }
 
-fn read_meshes(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
+fn read_meshes(description: &mut Description, shelf: Shelf<'_>) -> Result<(), Missed> {
     let mut read = HashMap::new();
-    for beside in known {
+    for beside in shelf.known {
         if let Beside::Mesh(file) = beside {
             read.insert(file.name.clone(), file.triangles);
         }
@@ -92,12 +104,12 @@ fn read_meshes(description: &mut Description, folder: &Path, known: &[Beside]) -
     let (mut room, mut triangles_left) = (mesh_file::MAX_BYTES, mesh_file::MAX_TRIANGLES);
     for (part, mesh) in meshes(description) {
         let name = mesh.file.name.clone();
-        let path = folder.join(&name);
+        let path = shelf.folder.join(&name);
         let missed =
             |why| Missed { part, name: name.clone(), reason: Reason::Mesh { path: path.clone(), why } };
         mesh.file.triangles = match read.get(&name) {
             Some(known) => *known,
-            None => mesh_file::read(&path, &mut room).map_err(missed)?,
+            None => mesh_file::read(shelf.files, &path, &mut room).map_err(missed)?,
         };
         read.insert(name.clone(), mesh.file.triangles);
         let left = triangles_left.checked_sub(mesh.file.triangles.len());
@@ -108,9 +120,9 @@ fn read_meshes(description: &mut Description, folder: &Path, known: &[Beside]) -
     Ok(())
 }
 
-fn read_voxels(description: &mut Description, folder: &Path, known: &[Beside]) -> Result<(), Missed> {
+fn read_voxels(description: &mut Description, shelf: Shelf<'_>) -> Result<(), Missed> {
     let mut read = HashMap::new();
-    for beside in known {
+    for beside in shelf.known {
         if let Beside::Voxels(file) = beside {
             read.insert((file.name.clone(), file.voxels.sides()), file.voxels);
         }
@@ -122,13 +134,13 @@ fn read_voxels(description: &mut Description, folder: &Path, known: &[Beside]) -
             file.voxels = *voxels;
             continue;
         }
-        let path = folder.join(&file.name);
+        let path = shelf.folder.join(&file.name);
         let missed = |why| Missed {
             part,
             name: file.name.clone(),
             reason: Reason::Voxels { path: path.clone(), why },
         };
-        let voxels = voxel_file::read(&path, *size, room).map_err(missed)?;
+        let voxels = voxel_file::read(shelf.files, &path, *size, room).map_err(missed)?;
         room -= voxel_file::count(*size);
         read.insert(key, voxels);
         file.voxels = voxels;

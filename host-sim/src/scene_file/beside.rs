@@ -4,10 +4,10 @@ use super::image::ImageFile;
 use super::mesh_file::{self, MeshFile};
 use super::png_file;
 use super::voxel_file::{self, VoxelFile};
+use crate::files::{Files, Open};
 use crate::suggest::nearest;
 use std::collections::HashMap;
 use std::fmt;
-use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
@@ -102,31 +102,20 @@ impl fmt::Display for Shut {
     }
 }
 
-/// Opens a file and answers how many bytes it has.
+/// Opens a file.
 ///
 /// # Errors
 /// Why it cannot be opened.
-pub(super) fn open(path: &Path) -> Result<(File, u64), Shut> {
+pub(super) fn open<'a>(files: &'a dyn Files, path: &Path) -> Result<Open<'a>, Shut> {
     let shut = |error: io::Error| match error.kind() {
-        io::ErrorKind::NotFound => Shut::Missing(meant(path)),
+        io::ErrorKind::NotFound => Shut::Missing(meant(files, path)),
         other => Shut::Withheld(other),
     };
-    // Whoever opens a pipe waits for a writer: look first.
-    let about = fs::metadata(path).map_err(shut)?;
-    if !about.is_file() {
-        return Err(Shut::NotAFile);
-    }
-    Ok((File::open(path).map_err(shut)?, about.len()))
+    files.open(path).map_err(shut)?.ok_or(Shut::NotAFile)
 }
 
-/// Is how many files of a folder are looked at for a name like a missing one.
-const MOST_LIKE: usize = 4096;
-
-/// Answers the file in the folder of a missing one whose name is like its.
-fn meant(path: &Path) -> Option<String> {
-    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-    let entries = fs::read_dir(folder).ok()?.take(MOST_LIKE).flatten();
-    let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
-    names.sort_unstable();
+/// Answers the file beside a missing one whose name is like its.
+fn meant(files: &dyn Files, path: &Path) -> Option<String> {
+    let names = files.beside(path);
     nearest(path.file_name()?.to_str()?, names.iter().map(String::as_str)).map(str::to_owned)
 }

@@ -1,12 +1,13 @@
 //! A scene file on disk, as a scene that commands take.
 
-use super::album::{self, Missed};
+use super::album::{self, Missed, Shelf};
 use super::beside::Beside;
 use super::description::Description;
 use super::mistake::{Complaint, Mistake, Reason};
 use super::outline::Text;
 use super::place::{Part, Places};
 use super::read::parse;
+use crate::files::{Disk, Files};
 use crate::nff::{self, Note};
 use scanray::RenderError;
 use std::fmt;
@@ -69,14 +70,19 @@ impl SceneFile {
     /// The first mistake in them: what keeps the core from drawing it in `f64` among others, but not what is
     /// too large for smaller numbers.
     pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<Self, Box<Complaint>> {
-        Self::parse_beside(path, bytes, &[])
+        Self::parse_beside(path, bytes, &[], &Disk)
     }
 
-    /// Reads the bytes of a file that may name, beside others, files whose content is already known.
+    /// Reads the bytes of a file that may name files whose content is already known, and others of a place.
     ///
     /// # Errors
     /// As there.
-    pub fn parse_beside(path: &Path, bytes: Vec<u8>, known: &[Beside]) -> Result<Self, Box<Complaint>> {
+    pub fn parse_beside(
+        path: &Path,
+        bytes: Vec<u8>,
+        known: &[Beside],
+        files: &dyn Files,
+    ) -> Result<Self, Box<Complaint>> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let path = path.to_owned();
         let is_nff = nff::is_named(&path);
@@ -92,7 +98,8 @@ impl SceneFile {
             Ok(read) => read,
             Err(mistake) => return Err(Box::new(Complaint { path, mistake, text })),
         };
-        if let Err(missed) = album::read(&mut description, path.parent().unwrap_or(Path::new("")), known) {
+        let shelf = Shelf { folder: path.parent().unwrap_or(Path::new("")), files, known };
+        if let Err(missed) = album::read(&mut description, shelf) {
             return Err(Box::new(Complaint { path, mistake: mistake(missed, &text, &places), text }));
         }
         let file = Self { path, name, text, places, description, drawn, notes };
@@ -100,6 +107,16 @@ impl SceneFile {
             Some(error) => Err(Box::new(file.explain(error))),
             None => Ok(file),
         }
+    }
+
+    /// Answers the name of the file.
+    pub fn file_name(&self) -> String {
+        self.path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// Answers the text of the file.
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// Answers what the file says.

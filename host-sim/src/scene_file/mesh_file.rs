@@ -3,6 +3,7 @@
 use super::beside::{self, Shut};
 use crate::bake::octahedron::unfold;
 use crate::bake::steps::Steps;
+use crate::files::{Files, Open};
 use crate::model::Corner;
 use crate::obj;
 use scanray::{Corners, Mesh, Normals};
@@ -102,13 +103,13 @@ impl std::error::Error for Unreadable {}
 ///
 /// # Errors
 /// What is wrong with it; nothing is read of a file that is too large.
-pub fn read(path: &Path, room: &mut u64) -> Result<&'static [[Corner; 3]], Unreadable> {
-    let (file, length) = beside::open(path).map_err(Unreadable::Shut)?;
+pub fn read(files: &dyn Files, path: &Path, room: &mut u64) -> Result<&'static [[Corner; 3]], Unreadable> {
+    let Open { content, bytes: length } = beside::open(files, path).map_err(Unreadable::Shut)?;
     if length > *room {
         return Err(Unreadable::TooLarge);
     }
     let mut bytes = vec![];
-    let read = file.take(length).read_to_end(&mut bytes);
+    let read = content.take(length).read_to_end(&mut bytes);
     read.map_err(|error| Unreadable::Shut(Shut::Withheld(error.kind())))?;
     *room -= length;
     // Letters that are not UTF-8 stand in names, which are left out.

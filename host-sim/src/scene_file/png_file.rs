@@ -4,13 +4,13 @@
 //! PNG file holds: grey ones if red, green and blue agree in every texel, else all three. Levels of fewer
 //! bits, of `Rgb565` for one, are spread over 8 bits so that each comes back when it is rounded again.
 
+use crate::files::Files;
 use crate::image_error::into_io;
 use image::codecs::png::PngDecoder;
 use image::{ColorType, ExtendedColorType, ImageDecoder, ImageError, ImageFormat, Limits};
 use scanray::{Bitmap, Texels};
 use std::fmt;
-use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, Seek};
+use std::io::{self, BufRead, Seek};
 use std::path::Path;
 
 /// Is how many texels all images of a scene may have together: eight of the largest, 96 MiB.
@@ -83,13 +83,9 @@ pub(super) static UNREAD: &dyn Texels = &Pixels { size: [0, 0], levels: vec![] }
 ///
 /// # Errors
 /// What is wrong with it; of one that is too large no more than the header has been read.
-pub fn read(path: &Path, most_texels: u32) -> Result<Bitmap, Unreadable> {
-    // Whoever opens a pipe waits for a writer: look first.
-    if !fs::metadata(path).map_err(withheld)?.is_file() {
-        return Err(Unreadable::NotAFile);
-    }
-    let file = File::open(path).map_err(withheld)?;
-    decode(BufReader::new(file), most_texels)
+pub fn read(files: &dyn Files, path: &Path, most_texels: u32) -> Result<Bitmap, Unreadable> {
+    let open = files.open(path).map_err(withheld)?.ok_or(Unreadable::NotAFile)?;
+    decode(open.content, most_texels)
 }
 
 /// Decodes an image as [`read`] does.

@@ -2,6 +2,7 @@
 //! and nothing else.
 
 use super::beside::{self, Shut};
+use crate::files::{Files, Open};
 use scanray::Voxels;
 use serde::{Deserialize, Serialize};
 use std::io::{self, Read};
@@ -80,8 +81,8 @@ impl std::error::Error for Unreadable {}
 ///
 /// # Errors
 /// What is wrong with it; nothing is read of a file whose length is not the right one.
-pub fn read(path: &Path, size: [u16; 3], most_voxels: u64) -> Result<Voxels, Unreadable> {
-    let (file, bytes) = beside::open(path).map_err(Unreadable::Shut)?;
+pub fn read(files: &dyn Files, path: &Path, size: [u16; 3], most_voxels: u64) -> Result<Voxels, Unreadable> {
+    let Open { content, bytes } = beside::open(files, path).map_err(Unreadable::Shut)?;
     if !size.iter().all(|side| (2..=Voxels::LARGEST).contains(side)) {
         return Err(Unreadable::Size);
     }
@@ -94,7 +95,7 @@ pub fn read(path: &Path, size: [u16; 3], most_voxels: u64) -> Result<Voxels, Unr
         return Err(wrong_length(bytes));
     }
     let mut values = vec![];
-    let read = file.take(voxels).read_to_end(&mut values);
+    let read = content.take(voxels).read_to_end(&mut values);
     read.map_err(|error| Unreadable::Shut(Shut::Withheld(error.kind())))?;
     if values.len() as u64 != voxels {
         return Err(wrong_length(values.len() as u64));

@@ -2,13 +2,22 @@
 
 use super::site::File;
 use super::{Fault, Site};
-use std::io::Cursor;
-use std::net::Ipv4Addr;
-use tiny_http::{Header, Method, Response};
+use http_body_util::Full;
+use hyper::body::{Bytes, Incoming};
+use hyper::header::{CACHE_CONTROL, CONTENT_TYPE, HeaderValue, X_CONTENT_TYPE_OPTIONS};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Method, Request, Response, StatusCode};
+use hyper_util::rt::TokioIo;
+use std::convert::Infallible;
+use std::future::ready;
+use std::io;
+use std::net::{Ipv4Addr, TcpListener};
+use std::sync::Arc;
 
 /// Listens on the loopback address: no other computer can ask.
 pub struct Server {
-    http: tiny_http::Server,
+    listener: TcpListener,
     port: u16,
 }
 
@@ -18,11 +27,13 @@ impl Server {
     /// # Errors
     /// A port that is taken or forbidden.
     pub fn new(port: u16) -> Result<Self, Fault> {
-        let fault = |why: String| Fault::Port(port, why);
-        let http =
-            tiny_http::Server::http((Ipv4Addr::LOCALHOST, port)).map_err(|error| fault(error.to_string()))?;
-        let address = http.server_addr().to_ip().ok_or_else(|| fault("it has no address".to_owned()))?;
-        Ok(Self { http, port: address.port() })
+        let listen = || {
+            let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
+            listener.set_nonblocking(true)?;
+            let port = listener.local_addr()?.port();
+            Ok(Self { listener, port })
+        };
+        listen().map_err(|error: io::Error| Fault::Port(port, error.to_string()))
     }
 
     /// Answers the address of the page.
@@ -30,38 +41,59 @@ impl Server {
         format!("http://{}:{}/", Ipv4Addr::LOCALHOST, self.port)
     }
 
-    /// Answers requests as long as the program runs.
-    pub fn run(&self, site: &Site) {
-        for request in self.http.incoming_requests() {
-            let response = match request.method() {
-                Method::Get | Method::Head => site.find(request.url()).map_or_else(missing, found),
-                _ => refused(405, "Ask by GET."),
+    /// Answers requests as long as the program runs, on one thread: browsers keep connections open that they ask
+    /// nothing on, and none of these keeps another waiting.
+    ///
+    /// # Errors
+    /// What keeps the system from telling of connections.
+    pub fn run(self, site: Site) -> Result<Infallible, Fault> {
+        let port = self.port;
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_io().build();
+        let served = runtime.and_then(|runtime| runtime.block_on(self.accept(Arc::new(site))));
+        served.map_err(|error| Fault::Port(port, error.to_string()))
+    }
+
+    async fn accept(self, site: Arc<Site>) -> io::Result<Infallible> {
+        let listener = tokio::net::TcpListener::from_std(self.listener)?;
+        loop {
+            let Ok((stream, _)) = listener.accept().await else {
+                // It has gone away, or there are too many: those that are open go on.
+                tokio::task::yield_now().await;
+                continue;
             };
-            // A browser that has gone away needs no answer.
-            let _ = request.respond(response);
+            let site = Arc::clone(&site);
+            let answer = service_fn(move |request: Request<Incoming>| {
+                ready(Ok::<_, Infallible>(answer(&site, request.method(), request.uri().path())))
+            });
+            // A browser that has gone away needs no answer: nobody waits for the outcome.
+            let connection =
+                http1::Builder::new().title_case_headers(true).serve_connection(TokioIo::new(stream), answer);
+            tokio::spawn(connection);
         }
     }
 }
 
-fn found(file: &File) -> Response<Cursor<Vec<u8>>> {
-    with_kind(Response::from_data(file.bytes.clone()), file.kind)
-}
-
-fn missing() -> Response<Cursor<Vec<u8>>> {
-    refused(404, "There is no such file.")
-}
-
-fn refused(status: u16, why: &str) -> Response<Cursor<Vec<u8>>> {
-    with_kind(Response::from_data(why).with_status_code(status), "text/plain; charset=utf-8")
+/// Answers a request; what HEAD asks for is sent without what it holds.
+fn answer(site: &Site, method: &Method, address: &str) -> Response<Full<Bytes>> {
+    let refused = |status, why: &'static str| response(status, "text/plain; charset=utf-8", Bytes::from(why));
+    let found = |file: &File| response(StatusCode::OK, file.kind, Bytes::from(file.bytes.clone()));
+    match *method {
+        Method::GET | Method::HEAD => {
+            site.find(address).map_or_else(|| refused(StatusCode::NOT_FOUND, "There is no such file."), found)
+        }
+        _ => refused(StatusCode::METHOD_NOT_ALLOWED, "Ask by GET."),
+    }
 }
 
 /// Says what a response holds, that it means just that, and that it may be another one tomorrow.
-fn with_kind(response: Response<Cursor<Vec<u8>>>, kind: &str) -> Response<Cursor<Vec<u8>>> {
-    let headers =
-        [("Content-Type", kind), ("X-Content-Type-Options", "nosniff"), ("Cache-Control", "no-cache")];
-    // These are ASCII, as headers have to be.
-    let headers = headers.into_iter().filter_map(|(name, value)| Header::from_bytes(name, value).ok());
-    headers.fold(response, Response::with_header)
+fn response(status: StatusCode, kind: &'static str, bytes: Bytes) -> Response<Full<Bytes>> {
+    let mut response = Response::new(Full::new(bytes));
+    *response.status_mut() = status;
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    headers.insert(CACHE_CONTROL, HeaderValue::from_static("no-cache"));
+    response
 }
 
 #[cfg(test)]
@@ -69,6 +101,17 @@ mod tests {
     use super::*;
     use std::io::{Read, Write};
     use std::net::TcpStream;
+    use std::time::Duration;
+
+    /// Answers the port of a server that serves until the test's program ends.
+    fn served() -> u16 {
+        let core = tempfile::NamedTempFile::new().unwrap();
+        let site = Site::gather(core.path()).unwrap();
+        let server = Server::new(0).unwrap();
+        let port = server.port;
+        std::thread::spawn(move || server.run(site));
+        port
+    }
 
     /// Asks a server and answers all that it says.
     fn asked(port: u16, line: &str) -> String {
@@ -81,13 +124,8 @@ mod tests {
 
     #[test]
     fn files_are_handed_out_with_their_kind_and_nothing_else_is() {
-        let core = tempfile::NamedTempFile::new().unwrap();
-        let site = Site::gather(core.path()).unwrap();
-        let server = Server::new(0).unwrap();
-        let port = server.port;
+        let port = served();
         assert!(matches!(Server::new(port), Err(Fault::Port(taken, _)) if taken == port));
-        // It serves until the test's program ends.
-        std::thread::spawn(move || server.run(&site));
         let page = asked(port, "GET /");
         assert!(page.starts_with("HTTP/1.1 200 ") && page.contains("<title>scanray playground"), "{page}");
         assert!(page.contains("Content-Type: text/html"), "{page}");
@@ -95,5 +133,22 @@ mod tests {
         assert!(head.contains("text/javascript") && head.ends_with("\r\n\r\n"), "{head}");
         assert!(asked(port, "GET /../../Cargo.toml").starts_with("HTTP/1.1 404 "));
         assert!(asked(port, "POST /").starts_with("HTTP/1.1 405 "));
+    }
+
+    #[test]
+    fn connections_that_a_browser_keeps_open_keep_no_other_waiting() {
+        let port = served();
+        for round in 0..8 {
+            // All are open before the first is answered, and until the last is.
+            let open = |_| TcpStream::connect((Ipv4Addr::LOCALHOST, port)).unwrap();
+            let kept: Vec<TcpStream> = (0..12).map(open).collect();
+            for (place, mut stream) in kept.iter().enumerate() {
+                stream.set_read_timeout(Some(Duration::from_secs(10))).unwrap();
+                write!(stream, "GET /icon.svg HTTP/1.1\r\nHost: x\r\n\r\n").unwrap();
+                let mut said = [0; 15];
+                let read = stream.read_exact(&mut said);
+                assert!(read.is_ok() && said == *b"HTTP/1.1 200 OK", "round {round}, {place}: {read:?}");
+            }
+        }
     }
 }
