@@ -52,3 +52,4 @@ pub mod suggest;
 pub mod terminal;
 pub mod turn;
 pub mod walks;
+pub mod word;

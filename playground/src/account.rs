@@ -1,9 +1,9 @@
 //! Accounts: what a pixel of a picture is, and how it comes by its light.
 
-use crate::word::bits;
 use host_sim::explain::{Column, Explanation};
 use host_sim::scene_file::{describe, write_object};
 use host_sim::shot::{Approach, Number, Picture, Refusal, Shot};
+use host_sim::word::bits;
 use serde::Serialize;
 
 /// Is what a pixel is.

@@ -7,7 +7,7 @@
 //! - [`request`], [`answer`], [`fault`]: what crosses it. [`look`]: what decides a picture, with its words.
 //! - [`desk`]: does what is asked of the scene on it; [`opening`]: puts one there.
 //! - [`walk`]: where a scene is seen from, in whole steps.
-//! - [`heat`], [`account`], [`word`]: what is told of a picture, of a pixel, of its bits.
+//! - [`heat`], [`account`]: what is told of a picture, of a pixel.
 #![deny(unsafe_code)]
 
 pub mod account;
@@ -20,4 +20,3 @@ pub mod look;
 pub mod opening;
 pub mod request;
 pub mod walk;
-pub mod word;

@@ -6,6 +6,7 @@ use super::truth::checksum;
 use super::{Chip, Failure, SIZE};
 use crate::bake::source::{Literal, Planted};
 use crate::bake::{Accel, meshes};
+use crate::cost::Account;
 use crate::scenes::Entry;
 use crate::shot::{Number, Refusal};
 use scanray::{Exact, Fixed};
@@ -13,16 +14,7 @@ use scanray::{Exact, Fixed};
 /// Is the mode of the firmware in which it accounts for its pixels.
 const MODE: &str = "account";
 
-/// Holds the executed instructions of a picture of [`SIZE`], one ray a pixel.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Account {
-    /// Those of each row as it is drawn, from the top.
-    pub rows: Vec<u64>,
-    /// Those of each pixel traced alone, row by row; what a row takes to begin there is left out.
-    pub pixels: Vec<u64>,
-}
-
-/// Counts the instructions of each row and pixel of a scene on a chip, in the number that suits it.
+/// Counts the instructions of each row and pixel of a scene on a chip, in a picture of [`SIZE`], one ray a pixel, in the number that suits it.
 ///
 /// # Errors
 /// What keeps the image from being built or run, or a picture that is not the host's.

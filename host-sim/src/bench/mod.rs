@@ -20,7 +20,7 @@ mod snapshot;
 mod table;
 mod truth;
 
-pub use account::{Account, account};
+pub use account::account;
 pub use case::{Case, Choice};
 pub use chip::{CHIPS, Chip};
 pub(crate) use emulator::{PATIENCE, QEMU, listen};

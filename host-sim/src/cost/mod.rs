@@ -4,16 +4,17 @@
 //! that devices run. Each pixel is traced alone, from left to right; what a row takes once, to find its spans, is
 //! left out of its pixels, as are the steps from ray to ray. Instructions come from a chip that is emulated.
 
+mod account;
 mod bill;
 mod counted;
 mod figures;
 mod heat;
 
+pub use account::Account;
 pub use bill::{Bill, What};
 pub use figures::{bars, dearest};
 pub use heat::heat;
 
-use crate::bench::Account;
 use crate::growth::Tally;
 use crate::picture::MAX_DEPTH;
 use crate::rounded::camera_in;

@@ -1,6 +1,7 @@
 use super::parting::furthest;
 use super::{Column, Explanation, LightRay, Node, parting};
 use crate::reference::{Lit, Shine, Surface, Vector, Visit};
+use crate::word::bits;
 use scanray::Dither;
 use std::fmt::{self, Display, Formatter};
 
@@ -19,7 +20,7 @@ impl Display for Explanation {
         self.veil(f)?;
         self.row(f, "light", |column| Some(column.account.light.0.to_vec()))?;
         self.row(f, "in steps", |column| Some(column.levels.clone()))?;
-        self.words(f, "in bits", |column| bits(column.shown, self.shot.panel.tops()))?;
+        self.words(f, "in bits", |column| bits(self.shot.panel, column.shown))?;
         self.words(f, "shown", |column| format!("{:?}", column.shown))?;
         self.closing(f)
     }
@@ -215,16 +216,6 @@ impl Explanation {
 
 fn shine(surface: &Surface, ray: &LightRay) -> Shine {
     surface.lights.get(ray.light).copied().unwrap_or(Shine::Away)
-}
-
-/// Writes what a panel gets for what it shows in 8 bits a channel: the bits of each channel, the highest first.
-fn bits(shown: [u8; 3], tops: &[u8]) -> String {
-    let channel = |(shown, top): (&u8, &u8)| {
-        // As many steps of 255 as the panel has levels, back to the nearest level.
-        let level = (u16::from(*shown) * u16::from(*top) + 127) / 255;
-        format!("{level:0width$b}", width = top.count_ones() as usize)
-    };
-    shown.iter().zip(tops).map(channel).collect::<Vec<_>>().join(" ")
 }
 
 /// Writes a value in nine places, with as many decimals as they leave.

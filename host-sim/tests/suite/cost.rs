@@ -1,8 +1,8 @@
 //! What pixels cost: counted by the core itself, drawn as a map, told in words.
 
 use crate::desk::{Desk, assert_refused, read, stdout};
-use host_sim::bench::{Account, Chip, Row, Snapshot, account};
-use host_sim::cost::{Bill, Map, What, bars, count, dearest, heat};
+use host_sim::bench::{Chip, Row, Snapshot, account};
+use host_sim::cost::{Account, Bill, Map, What, bars, count, dearest, heat};
 use host_sim::explain::Names;
 use host_sim::growth::{Operations, Tally};
 use host_sim::picture::trace;

@@ -1,34 +1,20 @@
 //! The bits that a panel is sent for a pixel.
 
-use host_sim::panel::Panel;
-
-/// Answers how many bits each channel of a panel has, those that come first in its word first.
-pub fn widths(panel: Panel) -> &'static [u32] {
-    match panel {
-        Panel::Rgb565 => &[5, 6, 5],
-        Panel::Rgb666 => &[6, 6, 6],
-        Panel::Rgb888 => &[8, 8, 8],
-        Panel::Gray8 => &[8],
-        Panel::Gray4 => &[4],
-        Panel::Mono => &[1],
-    }
-}
+use crate::panel::Panel;
 
 /// Answers the levels of a panel's channels that what it shows, in 8 bits, stands for.
-pub fn levels(panel: Panel, shown: [u8; 3]) -> Vec<u32> {
-    let level = |(width, shown): (&u32, u8)| {
-        let top = (1 << width) - 1;
-        (u32::from(shown) * top + 127) / 255
-    };
-    widths(panel).iter().zip(shown).map(level).collect()
+pub fn levels(panel: Panel, shown: [u8; 3]) -> Vec<u8> {
+    // As many steps of 255 as the panel has levels, back to the nearest level, which is below 256.
+    let level = |(shown, top): (u8, &u8)| ((u16::from(shown) * u16::from(*top) + 127) / 255) as u8;
+    shown.into_iter().zip(panel.tops()).map(level).collect()
 }
 
 /// Answers the bits of a pixel as a panel is sent them, such as `11010 100110 00111`.
 pub fn bits(panel: Panel, shown: [u8; 3]) -> String {
-    let channels = widths(panel).iter().zip(levels(panel, shown));
-    let texts: Vec<String> =
-        channels.map(|(width, level)| format!("{level:0w$b}", w = *width as usize)).collect();
-    texts.join(" ")
+    let levels = levels(panel, shown);
+    let channels = levels.iter().zip(panel.tops());
+    let texts = channels.map(|(level, top)| format!("{level:0width$b}", width = top.count_ones() as usize));
+    texts.collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -59,11 +45,11 @@ mod tests {
     #[test]
     fn every_level_of_every_panel_is_told_apart() {
         for panel in Panel::ALL {
-            for (channel, width) in widths(panel).iter().enumerate() {
-                let top = (1_u32 << width) - 1;
-                for level in 0..=top {
+            for (channel, top) in panel.tops().iter().enumerate() {
+                for level in 0..=*top {
                     let mut color = [0; 3];
-                    color[channel] = ((level * 255 + top / 2) / top) as u8;
+                    let top = u32::from(*top);
+                    color[channel] = ((u32::from(level) * 255 + top / 2) / top) as u8;
                     assert_eq!(levels(panel, color)[channel], level, "{} {channel}", panel.name());
                 }
             }
