@@ -39,13 +39,17 @@ pub const WAYS: [&str; 10] = [
 ];
 
 /// Answers the bytes that the caller holds for a way of drawing, which are not the core's stack: the workspace, the
-/// renderer, and the row where that is the caller's.
+/// renderer, the row where that is the caller's, and the hierarchies that are made for the scene.
 #[cfg(target_os = "none")]
 pub const fn held_bytes<S: Scalar>(way: usize) -> usize {
     const { assert!(size_of::<Rgb666>() == size_of::<Rgb888>(), "the longest row is that of either") };
     match way {
         6 => tracer_bytes::<S, 0>() + size_of::<[Rgb666; WIDTH]>(),
-        8 => tracer_bytes::<S, 0>() + size_of::<[[u8; 2]; WIDTH]>(),
+        8 => {
+            let trees = size_of::<Kd<S>>() + size_of::<Octree<S>>() + size_of::<Grid<S>>();
+            let scene = size_of::<Scene<'_, S>>();
+            tracer_bytes::<S, 0>() + size_of::<[[u8; 2]; WIDTH]>() + trees + scene
+        }
         9 => size_of::<RasterWorkspace<S, WIDTH>>() + size_of::<RasterRenderer<'_, '_, S, WIDTH>>(),
         _ => tracer_bytes::<S, WIDTH>(),
     }

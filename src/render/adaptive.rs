@@ -6,7 +6,8 @@
 //! and its segments alone, so that parts of a row come out as the whole does.
 
 use super::Quality;
-use super::alike::{are_alike, short};
+use super::alike::short;
+use super::block::{Block, Columns, NARROW, STEP, Sample, State};
 use super::marks::Marks;
 use super::picture::Picture;
 use super::workspace::Scratch;
@@ -14,139 +15,8 @@ use crate::camera::Row;
 use crate::math::Scalar;
 use crate::output::{Encode, Rounding, Transfer, light_bits};
 use crate::shape::Intersect;
-use crate::trace::{Candidates, LANES, Observer, Packet, Tracer};
+use crate::trace::{Candidates, Observer, Packet, Tracer};
 use core::ops::Range;
-use heapless::Vec;
-
-/// Is how far apart pixels are that are always traced.
-const STEP: u32 = 8;
-
-/// Is the most columns of a segment in which every pixel is traced.
-///
-/// The span of an object narrower than a step, rounded outward by up to two columns on either side, is
-/// no wider: such an object is never lost.
-const NARROW: u32 = 12;
-
-/// Is how many columns one packet of samples reaches.
-const REACH: usize = STEP as usize * LANES;
-
-/// Is what a pixel shows and what its ray has seen.
-#[derive(Clone, Copy)]
-struct Sample {
-    levels: [u16; 3],
-    /// Where the next sample to the right is, counted from the block's left.
-    next: u8,
-    /// Whether what lies between here and the next sample may be filled in.
-    settled: bool,
-    mark: u32,
-}
-
-impl Sample {
-    const NONE: Self = Self { levels: [0; 3], next: 0, settled: false, mark: 0 };
-
-    /// Tells whether two samples saw the same in about the same colour.
-    fn agrees(&self, other: &Self) -> bool {
-        self.mark == other.mark && are_alike(&self.levels, &other.levels)
-    }
-}
-
-/// Holds some samples of a segment, each with the way to the next.
-struct Block {
-    samples: [Sample; REACH + 1],
-    /// The column of the first sample.
-    left: u32,
-    /// Where the last sample is, counted from the left.
-    end: u8,
-    /// Where samples are to be taken, from left to right.
-    wanted: Vec<u8, LANES>,
-}
-
-impl Block {
-    fn new() -> Self {
-        Self { samples: [Sample::NONE; REACH + 1], left: 0, end: 0, wanted: Vec::new() }
-    }
-
-    fn at(&self, place: u8) -> Sample {
-        self.samples.get(usize::from(place)).copied().unwrap_or(Sample::NONE)
-    }
-
-    fn set(&mut self, place: u8, sample: Sample) {
-        if let Some(old) = self.samples.get_mut(usize::from(place)) {
-            *old = sample;
-        }
-    }
-
-    /// Answers the column of a place.
-    fn column(&self, place: u8) -> u32 {
-        self.left.saturating_add(u32::from(place))
-    }
-
-    /// Begins at the first column of a segment.
-    fn begin(&mut self, column: u32) {
-        (self.left, self.end) = (column, 0);
-        let _ = self.wanted.push(0);
-    }
-
-    /// Begins where the block before has ended: that sample is taken.
-    fn go_on(&mut self) {
-        let last = self.at(self.end);
-        (self.left, self.end) = (self.column(self.end), 0);
-        self.set(0, last);
-    }
-
-    /// Wants the columns of a row that are always traced, as many as a packet holds.
-    fn want(&mut self, columns: &Columns) {
-        while !self.wanted.is_full() && self.column(self.end) < columns.last {
-            let place = columns.after(self.column(self.end)).wrapping_sub(self.left) as u8;
-            let from = Sample { next: place, settled: false, ..self.at(self.end) };
-            self.set(self.end, from);
-            self.end = place;
-            let _ = self.wanted.push(place);
-        }
-    }
-
-    /// Wants a pixel between two samples that do not agree, the first ones of those not looked at yet,
-    /// as many as a packet holds.
-    fn split(&mut self) {
-        let mut place = 0;
-        while place < self.end && !self.wanted.is_full() {
-            let sample = self.at(place);
-            let next = sample.next;
-            if !sample.settled {
-                let settled = next.wrapping_sub(place) < 2 || sample.agrees(&self.at(next));
-                let middle = if settled { next } else { place.midpoint(next) };
-                self.set(place, Sample { settled, next: middle, ..sample });
-                if !settled {
-                    self.set(middle, Sample { next, ..Sample::NONE });
-                    let _ = self.wanted.push(middle);
-                }
-            }
-            place = next;
-        }
-    }
-}
-
-/// Knows the columns of a segment that are always traced.
-struct Columns {
-    last: u32,
-    /// How far this row's samples are shifted to the left: what a row misses the next may find.
-    phase: u32,
-    step: u32,
-}
-
-impl Columns {
-    fn of(segment: Range<u32>, phase: u32) -> Self {
-        let step = if segment.len() as u32 <= NARROW { 1 } else { STEP };
-        Self { last: segment.end.saturating_sub(1), phase, step }
-    }
-
-    /// Answers the next such column.
-    fn after(&self, column: u32) -> u32 {
-        let shifted = column.saturating_add(self.phase);
-        let next = shifted.saturating_sub(shifted % self.step.max(1)).saturating_add(self.step);
-        next.saturating_sub(self.phase).min(self.last)
-    }
-}
 
 /// Takes samples.
 struct Probe<'a, 's, 'o, S: Scalar, X, O> {
@@ -158,29 +28,21 @@ struct Probe<'a, 's, 'o, S: Scalar, X, O> {
 
 impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
     /// Takes the samples that a block wants; `row` is not yet past the first.
+    #[inline(never)]
     fn look<P: Encode>(&mut self, block: &mut Block, row: &mut Row<'_, S>, candidates: Candidates<'_>) {
-        let (wanted, left) = (core::mem::take(&mut block.wanted), block.left);
-        let rays = wanted.iter().map_while(|place| {
-            row.skip_to(left.saturating_add(u32::from(*place)));
+        let left = block.left;
+        let wanted = block.samples.iter().filter(|sample| sample.state == State::Wanted);
+        let rays = wanted.map_while(|sample| {
+            row.skip_to(left.saturating_add(u32::from(sample.place)));
             row.next().map(|primary| (primary.ray, primary.interval))
         });
         self.marks.clear();
-        let light = self.tracer.radiance(self.packet, rays, candidates, &mut self.marks);
-        for ((place, light), mark) in wanted.iter().zip(light).zip(self.marks.marks()) {
+        let taken = self.packet.take_up(rays, &candidates, &mut self.marks);
+        let light = self.tracer.radiance_of(self.packet, taken, candidates, &mut self.marks);
+        let wanted = block.samples.iter_mut().filter(|sample| sample.state == State::Wanted);
+        for ((sample, light), mark) in wanted.zip(light).zip(self.marks.marks()) {
             let levels = P::levels(light_bits(*light), self.transfer).map(short);
-            let sample = Sample { levels, mark: *mark, ..block.at(*place) };
-            block.set(*place, sample);
-        }
-    }
-
-    /// Takes samples until all neighbours in a block agree or touch.
-    fn settle<P: Encode>(&mut self, block: &mut Block, row: &Row<'_, S>, candidates: &Candidates<'_>) {
-        loop {
-            block.split();
-            if block.wanted.is_empty() {
-                return;
-            }
-            self.look::<P>(block, &mut row.clone(), candidates.clone());
+            *sample = Sample { levels, mark: *mark, state: State::Taken, ..*sample };
         }
     }
 }
@@ -223,15 +85,24 @@ impl<P: Encode> Pen<'_, P> {
         }
     }
 
-    /// Writes all columns of a block but the last.
-    fn write(&mut self, block: &Block) {
-        let mut place = 0;
-        while place < block.end {
-            let from = block.at(place);
-            let count = u32::from(from.next.wrapping_sub(place));
-            self.fill(block.column(place), &from, &block.at(from.next), count);
-            place = from.next;
+    /// Writes the columns of a block up to the first gap in which more has to be seen, and tells whether
+    /// there is one: the block then wants it. What is written is forgotten.
+    ///
+    /// Called, not inlined: what writing takes is off the stack before the next ray is traced.
+    #[inline(never)]
+    fn write(&mut self, block: &mut Block) -> bool {
+        block.judge();
+        let mut written = 0_usize;
+        for (sample, next) in block.samples.iter().zip(block.samples.iter().skip(1)) {
+            if sample.state != State::Settled {
+                break;
+            }
+            let count = u32::from(next.place.wrapping_sub(sample.place));
+            self.fill(block.column(sample.place), sample, next, count);
+            written = written.saturating_add(1);
         }
+        block.forget(written);
+        block.split()
     }
 }
 
@@ -267,11 +138,13 @@ impl<S: Scalar, X: Intersect<S>, Q: Quality> Picture<'_, S, X, Q> {
                 let first = row.clone();
                 block.want(&segment);
                 probe.look::<P>(&mut block, &mut row, spans.candidates());
-                probe.settle::<P>(&mut block, &first, &spans.candidates());
-                pen.write(&block);
-                let reached = block.column(block.end);
+                while pen.write(&mut block) {
+                    probe.look::<P>(&mut block, &mut first.clone(), spans.candidates());
+                }
+                let reached = block.reached();
                 if reached == segment.last || reached >= columns.end {
-                    pen.put(reached, block.at(block.end).levels.map(u32::from));
+                    let levels = block.samples.last().map_or([0; 3], |last| last.levels);
+                    pen.put(reached, levels.map(u32::from));
                     break;
                 }
                 block.go_on();

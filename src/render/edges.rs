@@ -70,7 +70,9 @@ impl<S: Scalar> Zigzag<'_, S> {
             (primary.ray, primary.interval)
         });
         let mut marks = Marks::new(&mut *sampler.observer);
-        let light = sampler.tracer.radiance(sampler.packet, rays, sampler.spans.candidates(), &mut marks);
+        let candidates = sampler.spans.candidates();
+        let taken = sampler.packet.take_up(rays, &candidates, &mut marks);
+        let light = sampler.tracer.radiance_of(sampler.packet, taken, candidates, &mut marks);
         let probe = |(light, mark): (&Rgb<S>, &u32)| {
             let levels = light_bits(*light).map(|light| short(transfer.level(light)));
             Probe { light: *light, levels, mark: *mark }

@@ -3,6 +3,7 @@
 mod adaptive;
 mod alike;
 mod band;
+mod block;
 mod edges;
 mod error;
 mod marks;

@@ -1,13 +1,13 @@
 use super::quality::Way;
 use super::workspace::Scratch;
 use super::{Quality, Settings};
-use crate::camera::Frame;
+use crate::camera::{Frame, Row};
 use crate::color::Rgb;
 use crate::math::Scalar;
 use crate::output::{Encode, Rounding, light_bits};
 use crate::scene::Scene;
 use crate::shape::Intersect;
-use crate::trace::{LANES, Observer, Pending, RayKind, Tracer, Vicinities};
+use crate::trace::{Candidates, LANES, Observer, Packet, Pending, RayKind, Tracer, Vicinities};
 use core::ops::Range;
 use embedded_graphics_core::geometry::Size;
 
@@ -72,9 +72,8 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
             row.skip_to(x);
             while x < stop {
                 let together = (stop - x).min(LANES as u32);
-                let rays =
-                    row.by_ref().take(together as usize).map(|primary| (primary.ray, primary.interval));
-                for light in tracer.radiance(packet, rays, spans.candidates(), observer) {
+                let taken = take_up(packet, &mut row, together, &spans.candidates(), observer);
+                for light in tracer.radiance_of(packet, taken, spans.candidates(), observer) {
                     pixel(x, *light);
                     // There is a light for each column up to `stop` at most.
                     x = x.wrapping_add(1);
@@ -107,4 +106,21 @@ impl<'a, S: Scalar, X: Intersect<S>, Q: Quality> Picture<'a, S, X, Q> {
             }
         });
     }
+}
+
+/// Takes up the rays of some pixels of a row, from left to right, and answers their number.
+///
+/// Called, not inlined, as is [`Packet::take_up`]; here the row is stepped in registers.
+#[inline(never)]
+fn take_up<S: Scalar>(
+    packet: &mut Packet<S>,
+    row: &mut Row<'_, S>,
+    count: u32,
+    candidates: &Candidates<'_>,
+    observer: &mut impl Observer,
+) -> usize {
+    row.lend(|row| {
+        let rays = row.take(count as usize).map(|primary| (primary.ray, primary.interval));
+        packet.load(rays, candidates, observer)
+    })
 }

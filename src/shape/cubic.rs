@@ -40,6 +40,9 @@ impl<S: Scalar> Cubic<S> {
     ///
     /// Between its turns it only rises or only falls, so that their sides and that of the end miss nothing (Marmitt
     /// and others 2004); between two of them the place is found by halving, to the last digit.
+    ///
+    /// Called, not inlined: what a search takes is not on the stack of the way to it.
+    #[inline(never)]
     pub fn first_change(&self, inside: bool) -> Option<S> {
         let [turn, back] = self.turns();
         let mut before = S::ZERO;

@@ -74,15 +74,24 @@ impl<S: Scalar> Isosurface<S> {
         }
     }
 
+    /// Answers how far the field is above the level at a place.
+    #[inline(never)]
+    fn above(&self, place: &Place<S>) -> S {
+        self.grid.value(place) - self.level
+    }
+
     /// Answers how far the field is above the level along a piece of a ray.
     ///
     /// The field is linear along each axis: with each axis at the place where the ray enters the cell or where it
     /// leaves, in all orders, its values are those that draw the cubic (its blossom; Ramshaw 1987). They lie
     /// between the values at the cell's corners, so that nothing is lost in any number.
+    ///
+    /// Called, not inlined: few cells have the surface in them, and the way to them takes no stack for it.
+    #[inline(never)]
     fn along(&self, course: &Course<S>, piece: &Piece<S>) -> Cubic<S> {
         let ends = [piece.from, piece.to].map(|t| course.place(piece.cell, t).share);
         let [[x, y, z], [p, q, r]] = ends;
-        let above = |share: [S; 3]| self.grid.value(&Place { cell: piece.cell, share }) - self.level;
+        let above = |share: [S; 3]| self.above(&Place { cell: piece.cell, share });
         let mean = |values: [S; 3]| {
             let [a, b, c] = values.map(|value| value.mul_wide(S::ONE));
             S::narrow((a + b + c).scale(1, 3))

@@ -79,6 +79,11 @@ pub trait Intersect<S: Scalar> {
         self.intersect(ray, interval).is_some()
     }
 
+    /// Tells the same of a ray that starts on this very surface, the start left out.
+    fn occludes_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        self.intersect_leaving(ray, interval).is_some()
+    }
+
     /// Tells whether the shape is convex: a ray that leaves it outward never meets it again.
     fn is_convex(&self) -> bool {
         false
@@ -193,6 +198,10 @@ impl<S: Scalar, X: Intersect<S>> Intersect<S> for Shape<S, X> {
 
     fn occludes(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
         dispatch!(self, shape => shape.occludes(ray, interval))
+    }
+
+    fn occludes_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        dispatch!(self, shape => shape.occludes_leaving(ray, interval))
     }
 
     fn is_convex(&self) -> bool {

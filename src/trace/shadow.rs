@@ -78,6 +78,6 @@ impl<S: Scalar> Query<S> {
         if index != usize::from(self.from.index) {
             return object.shape.occludes(&self.ray, &self.interval);
         }
-        !self.from.free && object.shape.intersect_leaving(&self.ray, &self.interval).is_some()
+        !self.from.free && object.shape.occludes_leaving(&self.ray, &self.interval)
     }
 }

@@ -91,6 +91,17 @@ impl<'a, 's, S: Scalar, X: Intersect<S>> Tracer<'a, 's, S, X> {
         observer: &mut impl Observer,
     ) -> &'p [Rgb<S>] {
         let count = packet.load(rays, &candidates, observer);
+        self.radiance_of(packet, count, candidates, observer)
+    }
+
+    /// Answers the light of the rays that a packet has taken up, so many.
+    pub(crate) fn radiance_of<'p>(
+        &mut self,
+        packet: &'p mut Packet<S>,
+        count: usize,
+        candidates: Candidates<'_>,
+        observer: &mut impl Observer,
+    ) -> &'p [Rgb<S>] {
         let Packet { lanes, light } = packet;
         // A compiler that sees that there are eight at most unrolls every loop over lanes: 1.7 KB of an M0+'s image.
         let lanes = black_box(lanes.get_mut(..count).unwrap_or_default());

@@ -70,7 +70,9 @@ impl Voxels {
         self.range(first, last)
     }
 
-    /// Answers the smallest and the largest value at the corners of a cell.
+    /// Answers the smallest and the largest value at the corners of a cell. Called, not inlined: its
+    /// registers are not on the stack below a surface's search.
+    #[inline(never)]
     pub(crate) fn of_cell(&self, cell: [u16; 3]) -> [u8; 2] {
         self.range(cell, cell)
     }

@@ -29,12 +29,13 @@ pub use emulator::Picture;
 use image::Kind;
 
 /// Is the most bytes of stack that a picture of one ray a pixel may take beside what the caller holds: the workspace,
-/// the row and the renderer; an M0+ that asks a mesh for shadows takes the most.
-pub const MOST_STACK: u32 = 2496;
+/// the row and the renderer; an M0+ that asks cones or smooth triangles for shadows takes the most.
+pub const MOST_STACK: u32 = 2048;
 
 /// Is the same of pictures that are filled in, sampled, refined, seen through foreign hierarchies or rasterised;
-/// adaptive rows keep a block of 65 samples, 800 bytes.
-pub const MOST_STACK_OTHERWISE: u32 = 3456;
+/// an M0+ that goes along the edges of a surface in voxels takes the most. Adaptive rows keep up to 33
+/// samples, 396 bytes.
+pub const MOST_STACK_OTHERWISE: u32 = 2944;
 
 /// Names the ways of drawing that trace one ray a pixel, row by row.
 const PLAIN: [&str; 3] = ["exact", "panels", "turned"];

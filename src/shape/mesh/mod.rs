@@ -137,6 +137,11 @@ impl<S: Scalar> Intersect<S> for &'static Mesh<S> {
         met
     }
 
+    /// What starts on it is asked like any other: the first triangle met ends the search.
+    fn occludes_leaving(&self, ray: &Ray<S>, interval: &Interval<S>) -> bool {
+        self.occludes(ray, interval)
+    }
+
     #[inline(never)]
     fn surface(&self, ray: &Ray<S>, crossing: &Crossing<S>) -> Surface<S> {
         let surface = self.facet(crossing.part).map(|facet| facet.surface(ray, crossing));
@@ -178,5 +183,44 @@ impl<S: Scalar> Intersect<S> for &'static Mesh<S> {
         } else {
             Err(Fault::Hierarchy)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Fixed;
+    use crate::gallery::Gallery;
+    use crate::shape::Shape;
+
+    fn check<S: Gallery>() {
+        let objects = S::find("teapot").expect("a scene").scene.objects;
+        let mesh = objects.iter().find_map(|object| match object.shape {
+            Shape::Mesh(mesh) => Some(mesh),
+            _ => None,
+        });
+        let mesh = mesh.expect("a mesh");
+        let (mut blocked, mut open) = (0, 0);
+        for number in (0..992).step_by(31) {
+            let triangle = mesh.triangle(number).expect("a triangle");
+            let origin = triangle.point(S::HALF * S::HALF, S::HALF);
+            for [x, y, z] in [[1, 2, 3], [-3, 1, 2], [2, -1, -3], [-1, 3, -2], [0, 1, 0]] {
+                let toward = Vec3::new(S::from_i32(x), S::from_i32(y), S::from_i32(z));
+                let ray = Ray::new(origin, toward.normalize().expect("a direction").0);
+                for far in [S::HALF, S::FAR] {
+                    let interval = Interval::new(S::SKIN, far);
+                    let met = mesh.intersect_leaving(&ray, &interval).is_some();
+                    assert_eq!(mesh.occludes_leaving(&ray, &interval), met, "{number}: {ray:?}");
+                    (blocked, open) = (blocked + i32::from(met), open + i32::from(!met));
+                }
+            }
+        }
+        assert!(blocked > 50 && open > 50, "{blocked} {open}");
+    }
+
+    #[test]
+    fn a_mesh_stands_in_the_light_of_its_own_points_exactly_where_it_is_met_again() {
+        check::<f32>();
+        check::<Fixed>();
     }
 }
