@@ -70,7 +70,8 @@ mod tests {
 
     /// Answers numbers of every length with every kind of digits.
     fn numbers(bits: u32) -> impl Iterator<Item = u64> + Clone {
-        (64 - bits..64).flat_map(|zeros| [1 << 63, u64::MAX, 0xb504_f333_f9de_6484].map(|n| n >> zeros))
+        let lengths = (64 - bits..64).step_by(if cfg!(miri) { 7 } else { 1 });
+        lengths.flat_map(|zeros| [1 << 63, u64::MAX, 0xb504_f333_f9de_6484].map(|n| n >> zeros))
     }
 
     #[test]
