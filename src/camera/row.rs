@@ -41,16 +41,23 @@ impl<'f, S: Scalar> Row<'f, S> {
         self.go_to(index(x));
     }
 
+    fn go_to(&mut self, x: i32) {
+        (self.at, self.x) = self.further(self.at, self.x, x);
+    }
+
+    /// Answers the middle of a later column's pixel, and the column.
+    ///
     /// Columns are stepped to from their anchor, so that a row begun in its middle has the same bits as the whole
     /// row.
-    fn go_to(&mut self, x: i32) {
-        let anchor = x - x % ANCHOR;
-        if anchor > self.x {
-            (self.at, self.x) = (self.anchor(anchor), anchor);
+    fn further(&self, mut at: WideVec3<S>, mut x: i32, to: i32) -> (WideVec3<S>, i32) {
+        let anchor = to - to % ANCHOR;
+        if anchor > x {
+            (at, x) = (self.anchor(anchor), anchor);
         }
-        while self.x < x {
-            self.advance();
+        while x < to {
+            (at, x) = self.after(at, x);
         }
+        (at, x)
     }
 
     fn advance(&mut self) {
@@ -115,6 +122,13 @@ pub(crate) struct Going<'r, 'f, S: Scalar> {
     row: &'r Row<'f, S>,
     at: WideVec3<S>,
     x: i32,
+}
+
+impl<S: Scalar> Going<'_, '_, S> {
+    /// Goes on to a column, as [`Row::skip_to`] does.
+    pub fn skip_to(&mut self, x: u32) {
+        (self.at, self.x) = self.row.further(self.at, self.x, index(x));
+    }
 }
 
 impl<S: Scalar> Iterator for Going<'_, '_, S> {

@@ -30,14 +30,8 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
     /// Takes the samples that a block wants; `row` is not yet past the first.
     #[inline(never)]
     fn look<P: Encode>(&mut self, block: &mut Block, row: &mut Row<'_, S>, candidates: Candidates<'_>) {
-        let left = block.left;
-        let wanted = block.samples.iter().filter(|sample| sample.state == State::Wanted);
-        let rays = wanted.map_while(|sample| {
-            row.skip_to(left.saturating_add(u32::from(sample.place)));
-            row.next().map(|primary| (primary.ray, primary.interval))
-        });
         self.marks.clear();
-        let taken = self.packet.take_up(rays, &candidates, &mut self.marks);
+        let taken = take_up(self.packet, row, block, &candidates, &mut self.marks);
         let light = self.tracer.radiance_of(self.packet, taken, candidates, &mut self.marks);
         let wanted = block.samples.iter_mut().filter(|sample| sample.state == State::Wanted);
         for ((sample, light), mark) in wanted.zip(light).zip(self.marks.marks()) {
@@ -45,6 +39,27 @@ impl<S: Scalar, X: Intersect<S>, O: Observer> Probe<'_, '_, '_, S, X, O> {
             *sample = Sample { levels, mark: *mark, state: State::Taken, ..*sample };
         }
     }
+}
+
+/// Takes up the rays of the samples that a block wants, and answers their number.
+///
+/// Called, not inlined, as is [`Packet::take_up`]; here the row is stepped in registers.
+#[inline(never)]
+fn take_up<S: Scalar>(
+    packet: &mut Packet<S>,
+    row: &mut Row<'_, S>,
+    block: &Block,
+    candidates: &Candidates<'_>,
+    observer: &mut impl Observer,
+) -> usize {
+    let wanted = block.samples.iter().filter(|sample| sample.state == State::Wanted);
+    row.lend(|row| {
+        let rays = wanted.map_while(|sample| {
+            row.skip_to(block.column(sample.place));
+            row.next().map(|primary| (primary.ray, primary.interval))
+        });
+        packet.load(rays, candidates, observer)
+    })
 }
 
 /// Writes the pixels of a row.
