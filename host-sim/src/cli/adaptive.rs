@@ -1,6 +1,6 @@
 use super::Error;
 use super::args::CompareArgs;
-use super::render::take;
+use super::take::take;
 use crate::scenes::Entry;
 use crate::shot::{Number, Quality, Sampling, Shot, Taken};
 use serde::Serialize;

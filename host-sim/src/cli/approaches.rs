@@ -1,6 +1,6 @@
 use super::args::ApproachesArgs;
 use super::look::scene;
-use super::render::take;
+use super::take::take;
 use super::{Error, report};
 use crate::bench::{Row, Snapshot};
 use crate::png;

@@ -6,10 +6,11 @@ use super::hierarchies_args::HierarchiesArgs;
 use super::lesson::LessonArgs;
 use super::look::{Curve, Look, size};
 use super::new_args::NewArgs;
+use super::parse::{chip, judged};
 use super::prove::ProveArgs;
 use super::rays::Rays;
 use super::serve::ServeArgs;
-use crate::bench::{CHIPS, Chip};
+use crate::bench::Chip;
 use crate::panel::Panel;
 use crate::shot::Number;
 use clap::{Args, Parser, Subcommand};
@@ -292,15 +293,4 @@ pub(super) struct WalksArgs {
     /// File to write the picture to
     #[arg(short, long, value_name = "FILE.png", default_value = "walks.png")]
     pub output: PathBuf,
-}
-
-pub(super) fn judged(text: &str) -> Result<Number, String> {
-    let numbers = [Number::F32, Number::Fixed, Number::Exact];
-    let number = numbers.into_iter().find(|number| number.name() == text);
-    number.ok_or_else(|| "the numbers judged by the reference are f32, fixed and exact".to_owned())
-}
-
-pub(super) fn chip(text: &str) -> Result<&'static Chip, String> {
-    let names = CHIPS.each_ref().map(|chip| chip.name);
-    Chip::find(text).ok_or_else(|| format!("the chips are {}", names.join(", ")))
 }

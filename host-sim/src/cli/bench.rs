@@ -1,6 +1,7 @@
 use super::Error;
 use super::args::BenchArgs;
 use super::look::scene;
+use super::progress::tell;
 use crate::bench::{self, Choice, Snapshot};
 use std::io::Write;
 
@@ -28,9 +29,4 @@ pub(super) fn run(args: &BenchArgs, out: &mut impl Write) -> Result<(), Error> {
         tell(&format!("kept in {}", path.display()));
     }
     Ok(())
-}
-
-/// Tells what is at work; if nobody is there to be told, that stops nothing.
-pub(super) fn tell(what: &str) {
-    let _ = writeln!(std::io::stderr(), "{what}");
 }

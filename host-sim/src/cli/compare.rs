@@ -1,7 +1,8 @@
 use super::adaptive;
 use super::args::CompareArgs;
 use super::look::scene;
-use super::render::{reference, take};
+use super::render::reference;
+use super::take::take;
 use super::{Error, report};
 use crate::compare::{Comparison, Figures, difference};
 use crate::png;

@@ -1,8 +1,7 @@
-use super::args::chip;
-use super::bench::tell;
 use super::look::{depth, scene, size};
-use super::progress::Progress;
-use super::render::take;
+use super::parse::chip;
+use super::progress::{Progress, tell};
+use super::take::take;
 use super::{Error, report};
 use crate::bench::{Chip, SIZE, account};
 use crate::cost::{Account, Bill, Map, Uncounted, What, bars, count, dearest, heat};

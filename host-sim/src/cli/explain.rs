@@ -1,5 +1,6 @@
+use super::Error;
 use super::look::{Curve, depth, scene, size};
-use super::{Error, args};
+use super::parse::judged;
 use crate::dither::Method;
 use crate::explain::Explanation;
 use crate::panel::Panel;
@@ -27,7 +28,7 @@ pub(super) struct ExplainArgs {
     #[arg(value_name = "Y")]
     pub y: u32,
     /// Explain it in this number only: f32, fixed or exact [default: f32 and fixed]
-    #[arg(long, value_parser = args::judged)]
+    #[arg(long, value_parser = judged)]
     pub number: Option<Number>,
     /// Columns and rows, such as 160x120 [default: the scene's]
     #[arg(long, value_name = "WxH", value_parser = size)]

@@ -1,4 +1,4 @@
-use super::args::chip;
+use super::parse::chip;
 use crate::bake::Accel;
 use crate::bench::Chip;
 use clap::Args;

@@ -20,6 +20,7 @@ mod list;
 mod look;
 mod new;
 mod new_args;
+mod parse;
 mod progress;
 mod progressive;
 mod prove;
@@ -28,6 +29,7 @@ mod rays;
 mod render;
 mod report;
 mod serve;
+mod take;
 mod walks;
 mod words;
 

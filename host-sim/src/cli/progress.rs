@@ -1,4 +1,5 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::Write;
 use std::time::{Duration, Instant};
 
 /// Is how long work may take in silence.
@@ -36,4 +37,9 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
+}
+
+/// Tells what is at work; if nobody is there to be told, that stops nothing.
+pub(super) fn tell(what: &str) {
+    let _ = writeln!(std::io::stderr(), "{what}");
 }

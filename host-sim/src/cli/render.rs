@@ -1,5 +1,6 @@
 use super::args::{RenderArgs, ShowArgs};
 use super::progress::Progress;
+use super::take::take;
 use super::{Error, report};
 use crate::compare::Comparison;
 use crate::picture;
@@ -68,12 +69,6 @@ pub(super) fn reference(shot: &Shot) -> Result<Comparison, Error> {
     let what = format!("drawing the reference of {}", shot.scene.name());
     let mut progress = Progress::new(u64::from(shot.size[1]), what);
     shot.reference(|_| progress.step()).map_err(|refusal| Error::refused(&shot.scene, refusal))
-}
-
-/// Traces a picture, with a progress bar if it takes long.
-pub(super) fn take(shot: &Shot) -> Result<Taken, Error> {
-    let mut progress = Progress::new(u64::from(shot.size[1]), format!("drawing {}", shot.scene.name()));
-    shot.take(|_| progress.step()).map_err(|refusal| Error::refused(&shot.scene, refusal))
 }
 
 /// Answers whether someone sits at the terminal: a window nobody can close must not open.

@@ -1,6 +1,6 @@
 //! The triangles of a scene file's meshes, as OBJ files.
 
-use super::beside::{self, Shut};
+use super::opening::{self, Shut};
 use crate::bake::octahedron::unfold;
 use crate::bake::steps::Steps;
 use crate::files::{Files, Open};
@@ -104,7 +104,7 @@ impl std::error::Error for Unreadable {}
 /// # Errors
 /// What is wrong with it; nothing is read of a file that is too large.
 pub fn read(files: &dyn Files, path: &Path, room: &mut u64) -> Result<&'static [[Corner; 3]], Unreadable> {
-    let Open { content, bytes: length } = beside::open(files, path).map_err(Unreadable::Shut)?;
+    let Open { content, bytes: length } = opening::open(files, path).map_err(Unreadable::Shut)?;
     if length > *room {
         return Err(Unreadable::TooLarge);
     }

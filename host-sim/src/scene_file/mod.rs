@@ -9,7 +9,8 @@
 //! - [`image`], [`bump`]: images in these words; [`png_file`]: their texels.
 //! - [`mesh`]: meshes, [`mesh_file`]: their triangles, `placement`: where they stand, [`ready`]: what is drawn
 //!   of them. [`mod@grid`], [`volume`]: fields of voxels; [`voxel_file`]: their values.
-//! - [`mod@beside`]: files that lie beside a scene's; `album`: all that a description names.
+//! - [`mod@beside`]: files that lie beside a scene's, [`opening`]: how they are opened; `album`: all that a
+//!   description names.
 //! - [`description`]: a whole scene in these words; [`from_core`]: of a view; [`names`]: of its materials.
 //! - [`mod@read`] and [`mod@write`]: text to description and back; [`place`], [`mistake`]: what is wrong, and where.
 //! - [`mod@file`]: a file as a scene that commands take.
@@ -30,6 +31,7 @@ pub mod mesh;
 pub mod mesh_file;
 pub mod mistake;
 pub mod names;
+pub mod opening;
 mod outline;
 pub mod place;
 mod placement;

@@ -1,7 +1,7 @@
 //! The voxels of a scene file, as files of bytes: the value of each voxel, x running fastest, then y, then z,
 //! and nothing else.
 
-use super::beside::{self, Shut};
+use super::opening::{self, Shut};
 use crate::files::{Files, Open};
 use scanray::Voxels;
 use serde::{Deserialize, Serialize};
@@ -82,7 +82,7 @@ impl std::error::Error for Unreadable {}
 /// # Errors
 /// What is wrong with it; nothing is read of a file whose length is not the right one.
 pub fn read(files: &dyn Files, path: &Path, size: [u16; 3], most_voxels: u64) -> Result<Voxels, Unreadable> {
-    let Open { content, bytes } = beside::open(files, path).map_err(Unreadable::Shut)?;
+    let Open { content, bytes } = opening::open(files, path).map_err(Unreadable::Shut)?;
     if !size.iter().all(|side| (2..=Voxels::LARGEST).contains(side)) {
         return Err(Unreadable::Size);
     }
