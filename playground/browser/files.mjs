@@ -62,6 +62,9 @@ await sit(
     await text.fill(`${await text.inputValue()}\np 3\n0 0 0\n1 0 0\n2 0 0\n`);
     await page.locator('#notes li').getByText('its corners lie on a line: left out').waitFor();
 
+    // A scene that lacks something does not stand in the way of a model.
+    await drop(page, ['planets.ron']);
+    await fault.getByText('cannot read the image').waitFor();
     await drop(page, ['teapot.obj']);
     await opened('teapot.obj (yours)');
     await rest(page, { scene: '' });
@@ -69,6 +72,12 @@ await sit(
     demand((await text.inputValue()).includes('teapot-mesh.obj'), 'the text of the model is not there');
     await text.fill((await text.inputValue()).replace(/size: .*/, 'size: (60, 45),'));
     await rest(page, { scene: '', columns: 60, rows: 45 });
+
+    // What a scene names may come before it.
+    await drop(page, ['world.png', 'peel.png', 'dimples.png', 'craters.png', ...SKY]);
+    await fault.getByText('None of these files is a scene').waitFor();
+    await drop(page, ['planets.ron']);
+    await opened('planets.ron (yours)');
 
     await drop(page, ['world.png']);
     await fault.getByText('None of these files is a scene').waitFor();

@@ -27,6 +27,8 @@ const HINTS = {
   none: 'Click a pixel of the panel: its rays are told here, one by one.',
   traced:
     'Each ray with what it meets and sends, the numbers beside the reference; ‘off’ is how far they are from it.',
+  middle:
+    'The picture takes several rays a pixel, or none; told here is the ray through the middle, with what it meets and sends.',
   raster: 'The z-buffer sends no rays. Let the ray tracer draw the picture, and they are told here.',
 };
 
@@ -39,7 +41,7 @@ export function forget(list, { hint, tree, figures }) {
 
 /** Shows the rays of a pixel, their tree and their figures, or why there are none. */
 export function explain({ hint, tree, figures }, { rays }) {
-  hint.textContent = rays ? HINTS.traced : HINTS.raster;
+  hint.textContent = rays ? (rays.alone ? HINTS.traced : HINTS.middle) : HINTS.raster;
   tree.hidden = figures.hidden = !rays;
   if (!rays) return;
   const drawing = new DOMParser().parseFromString(rays.tree, 'image/svg+xml').documentElement;

@@ -10,22 +10,38 @@ function sceneAmong(files) {
   return [...SCENES, MODEL].map((ending) => files.find(ends(ending))).find(Boolean);
 }
 
+/** Answers files with others, which take the place of those of the same name. */
+function together(files, others) {
+  return [...new Map([...files, ...others].map((file) => [file.name, file])).values()];
+}
+
 /** Is the files that somebody has picked. */
 export class Files {
   /** `open` is called with the scene's name and all files; it resolves to whether that is open now. */
   constructor(open) {
-    Object.assign(this, { open, picked: new Map(), isLacking: false });
+    Object.assign(this, { open, refused: [] });
   }
 
-  /** Takes files: those of a scene, or those that the scene before was lacking. */
+  /** Takes files: those of a scene, those that the scene before was lacking, or those before its own. */
   async take(list) {
     const files = [...list];
     if (files.length === 0) return;
     const isAnother = SCENES.some((ending) => files.some(ends(ending)));
-    if (isAnother || !this.isLacking) this.picked.clear();
-    for (const file of files) this.picked.set(file.name, file);
-    const all = [...this.picked.values()];
-    this.isLacking = !(await this.open(sceneAmong(all)?.name, all));
+    const before = isAnother && sceneAmong(this.refused) ? [] : this.refused;
+    if (await this.#isOpen(together(before, files))) return;
+    // A model that adds nothing to the scene before may be one of its own.
+    if (before.length > 0 && files.some(ends(MODEL))) await this.#isOpen(files);
+  }
+
+  /** Forgets files that could not be opened: nothing is lacking any more. */
+  forget() {
+    this.refused = [];
+  }
+
+  async #isOpen(files) {
+    const isOpen = await this.open(sceneAmong(files)?.name, files);
+    this.refused = isOpen ? [] : files;
+    return isOpen;
   }
 }
 

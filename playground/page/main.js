@@ -37,6 +37,8 @@ let coming = 0;
 /** Whether a pixel was pointed at that nothing is told of yet. */
 let asked = false;
 let perPixel = 0;
+/** Whether the last picture could be drawn. */
+let isDrawn = true;
 
 /** Shows a fault where it belongs, or takes it away. */
 function say(place, fault) {
@@ -123,14 +125,18 @@ async function draw() {
   if (busy) return;
   busy = true;
   sayBusy();
+  let isTold = false;
   while (stale) {
-    stale = false;
+    stale = isTold = false;
     const step = moving ? coarseness() : 1;
     moving = false;
     await frame(step);
     // A picture that has come to rest is drawn whole.
     stale ||= step > 1;
-    if (asked && step === 1) await account();
+    if (asked && step === 1) {
+      isTold = true;
+      await account();
+    }
     if (isOn('spin')) {
       await new Promise(requestAnimationFrame);
       walk.by(walk.parts / 4, 0);
@@ -139,7 +145,7 @@ async function draw() {
   busy = false;
   controls.keep(form, walk);
   sayBusy();
-  if (stage.at) await account();
+  if (stage.at && (asked || !isTold)) await account();
 }
 
 /** Answers how many pixels along a side become one, that pictures follow the hand. */
@@ -162,8 +168,11 @@ async function frame(step) {
     stage.show(isHot ? await heat({ ...look, size }) : pixels, size, look.size);
     const took = `${size.join(' × ')} in ${controls.NUMBERS[look.number]}: ${time.toFixed(1)} ms`;
     by('said').textContent = [took, work(frame)].filter(Boolean).join('; ');
-    say(by('fault'), null);
+    // What kept a scene from being opened stays told.
+    if (!isDrawn) say(by('fault'), null);
+    isDrawn = true;
   } catch (fault) {
+    isDrawn = false;
     say(by('fault'), fault);
   }
 }
@@ -196,7 +205,10 @@ async function point(at) {
 async function account() {
   asked = false;
   const told = await ask({ ask: 'pixel', at: stage.at }).catch(() => null);
-  if (!told) return stage.point(null);
+  if (!told) {
+    stage.point(null);
+    return forget(by('account'), explained);
+  }
   tell(by('account'), told.pixel);
   explain(explained, told.pixel);
 }
@@ -238,6 +250,7 @@ controls.restore(form, { scene: 'three-spheres', ...address.words });
 form.addEventListener('submit', (event) => event.preventDefault());
 form.addEventListener('change', ({ target }) => {
   if (target !== form.scene) return draw();
+  files.forget();
   open({ ask: 'open', name: form.scene.value });
 });
 walkByKeys(stage.canvas, walk);

@@ -2,7 +2,7 @@
 
 use host_sim::explain::{Column, Explanation};
 use host_sim::scene_file::{describe, write_object};
-use host_sim::shot::{Approach, Number, Picture, Refusal, Shot};
+use host_sim::shot::{Approach, Number, Picture, Quality, Refusal, Shot};
 use host_sim::word::bits;
 use serde::Serialize;
 
@@ -28,8 +28,10 @@ pub struct Account {
 pub struct Rays {
     /// Each with all its figures, the numbers in columns beside the reference.
     pub text: String,
-    /// Their tree as SVG, in the number of the picture.
+    /// Their tree as SVG, in the number of the picture; in `f32` where that is the reference.
     pub tree: String,
+    /// Whether the picture's pixel is theirs alone: not where it takes several rays a pixel, or fills some in.
+    pub alone: bool,
 }
 
 impl Account {
@@ -43,14 +45,18 @@ impl Account {
         let explained = explain(shot, [x, y])?;
         let object = object(&explained);
         let named = |index| format!("object {}", explained.names.object(Some(index)));
-        let rays = || Rays { text: explained.to_string(), tree: explained.svg() };
+        let rays = || Rays {
+            text: explained.to_string(),
+            tree: explained.svg(),
+            alone: shot.quality == Quality::Exact,
+        };
         Ok(Some(Self {
             at: [x, y],
             shown,
             bits: bits(shot.panel, shown),
             met: veil(&explained) + &object.map_or_else(|| explained.names.object(None).to_owned(), named),
             words: object.and_then(|object| words(shot, object)),
-            rays: (shot.approach == Approach::Trace).then(rays),
+            rays: (shot.approach == Approach::Trace || shot.number == Number::Oracle).then(rays),
         }))
     }
 }

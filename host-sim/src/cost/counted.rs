@@ -38,6 +38,10 @@ impl Intersect<Tally> for Counted {
         self.ask().occludes(ray, interval)
     }
 
+    fn occludes_leaving(&self, ray: &Ray<Tally>, interval: &Interval<Tally>) -> bool {
+        self.ask().occludes_leaving(ray, interval)
+    }
+
     fn surface(&self, ray: &Ray<Tally>, crossing: &Crossing<Tally>) -> Surface<Tally> {
         self.0.surface(ray, crossing)
     }

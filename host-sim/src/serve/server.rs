@@ -14,6 +14,10 @@ use std::future::ready;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
+use std::time::Duration;
+
+/// Is how long nobody new is answered where the system hands out no more connections.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// Listens on the loopback address: no other computer can ask.
 pub struct Server {
@@ -48,7 +52,7 @@ impl Server {
     /// What keeps the system from telling of connections.
     pub fn run(self, site: Site) -> Result<Infallible, Fault> {
         let port = self.port;
-        let runtime = tokio::runtime::Builder::new_current_thread().enable_io().build();
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build();
         let served = runtime.and_then(|runtime| runtime.block_on(self.accept(Arc::new(site))));
         served.map_err(|error| Fault::Port(port, error.to_string()))
     }
@@ -57,8 +61,8 @@ impl Server {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
         loop {
             let Ok((stream, _)) = listener.accept().await else {
-                // It has gone away, or there are too many: those that are open go on.
-                tokio::task::yield_now().await;
+                // It has gone away, or there are too many: those that are open go on, and some of them end.
+                tokio::time::sleep(PAUSE).await;
                 continue;
             };
             let site = Arc::clone(&site);
@@ -101,7 +105,6 @@ mod tests {
     use super::*;
     use std::io::{Read, Write};
     use std::net::TcpStream;
-    use std::time::Duration;
 
     /// Answers the port of a server that serves until the test's program ends.
     fn served() -> u16 {
