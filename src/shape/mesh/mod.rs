@@ -219,6 +219,7 @@ mod tests {
     }
 
     #[test]
+    #[cfg_attr(miri, ignore = "an interpreter takes minutes for the teapot")]
     fn a_mesh_stands_in_the_light_of_its_own_points_exactly_where_it_is_met_again() {
         check::<f32>();
         check::<Fixed>();
